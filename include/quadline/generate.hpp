@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "quadline/context.hpp"
+#include "quadline/mesh.hpp"
+#include "quadline/model.hpp"
+#include "quadline/options.hpp"
+#include "quadline/report.hpp"
+
+namespace quadline {
+
+/// Why a mesh does not keep the promise.
+struct Failure {
+  std::string stage;
+  std::string reason;  ///< one line
+  Point at;
+};
+
+struct MeshResult {
+  Mesh mesh;  ///< the best mesh so far where `failure` is set
+  Report report;
+  std::optional<Failure> failure;  ///< empty: valid, all quadrilaterals, every constraint in it
+};
+
+/// Meshes a model with quadrilaterals, with element edges along every line [Lee2003].
+///
+/// Same model, same options: the same mesh, bit for bit.
+///
+/// @throws InputError  the model or an option is wrong; the message says what, where and what to do.
+/// @throws Cancelled   the context asked for it.
+MeshResult generate(const Model& model, const Options& options, Context& context);
+
+}  // namespace quadline

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+namespace quadline {
+
+/// Which half-edges of a line constraint start in the front.
+enum class LineFronts {
+  OneSided,  ///< the paper's rule: the left side first, which turns the open line into a closed loop
+  TwoSided,  ///< both sides at once
+};
+
+/// Who makes the triangles that Q-Morph merges.
+enum class Triangles {
+  Delaunay,  ///< edges subdivided after the local size (Borouchaki and George 1997)
+  Front,     ///< an advancing front of triangles
+};
+
+/// What the caller may choose. The defaults suit every model.
+struct Options {
+  std::optional<double> size;    ///< target edge length instead of the model's, model units, > 0
+  double edges_per_circle = 16;  ///< at least so many edges on a full turn of a curve, >= 4
+  double growth = 1.3;           ///< largest ratio of the sizes of neighbouring edges, > 1
+  LineFronts lines = LineFronts::TwoSided;
+  Triangles triangles = Triangles::Delaunay;
+};
+
+}  // namespace quadline

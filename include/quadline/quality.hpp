@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "quadline/mesh.hpp"
+
+namespace quadline {
+
+/// Least, mean, greatest and percentiles of one measure over a mesh.
+struct Statistics {
+  double min = 0, p1 = 0, p5 = 0, median = 0, p95 = 0, p99 = 0, max = 0, mean = 0;
+};
+
+/// Quality of the quads of a mesh.
+struct Quality {
+  std::size_t n_nodes = 0, n_quads = 0, n_triangles = 0;
+  std::size_t n_inverted = 0;   ///< quads with a corner of 180 degrees or more, or no area
+  std::size_t n_irregular = 0;  ///< interior nodes without four quads, curve nodes with a wedge off round(angle / 90)
+  double beta_mean = 0;         ///< geometric mean of the distortion coefficient [Lee2003 eqs 1, 2]
+  double beta_min = 0;
+  Statistics scaled_jacobian;              ///< sine of a quad's worst corner, -1..1
+  Statistics min_angle_deg;                ///< least corner angle of each quad
+  Statistics max_angle_deg;                ///< greatest corner angle of each quad
+  Statistics aspect;                       ///< longest over shortest edge of each quad, >= 1
+  Statistics edge_length;                  ///< model units
+  std::optional<Statistics> edge_to_size;  ///< edge length over the size field at its middle, where one is known
+};
+
+/// Table 2 of [Lee2003]: "excellent", "good", "marginal" or "unacceptable".
+std::string_view verdict(double beta);
+
+/// Distortion coefficient beta of the quad a b c d [Lee2003 eqs 1, 2]: 1 for a rectangle, 0 for a degenerate or
+/// inverted quad.
+double distortion(Point a, Point b, Point c, Point d);
+
+/// Measures the quads of a mesh.
+///
+/// @param mesh  any mesh; triangles are counted, not measured.
+/// @param size  target size at the middle of every edge, in the order of `edges_of(mesh)`; empty: unknown.
+Quality measure(const Mesh& mesh, std::span<const double> size = {});
+
+}  // namespace quadline

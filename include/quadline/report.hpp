@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadline/point.hpp"
+#include "quadline/quality.hpp"
+
+namespace quadline {
+
+/// Something found in the input and mended, or worth a warning.
+struct Finding {
+  std::string text;   ///< one line: what was found and what was done
+  std::string place;  ///< place in the file, if known
+  Point at;
+};
+
+struct StageTime {
+  std::string stage;
+  double elapsed_s = 0;
+};
+
+/// What a run did.
+struct Report {
+  double tolerance = 0;  ///< distance below which points are one, model units
+  std::size_t n_cells = 0, n_curves = 0, n_vertices = 0;
+  std::vector<Finding> findings;
+  std::vector<StageTime> stages;
+  Quality before_smoothing;  ///< as Q-Morph leaves the mesh
+  Quality quality;           ///< of the final mesh
+};
+
+}  // namespace quadline

@@ -1,0 +1,175 @@
+#include "mesh/work_mesh.hpp"
+
+#include <numbers>
+
+#include "base/check.hpp"
+#include "geom/predicates.hpp"
+
+namespace quadline {
+
+NodeId WorkMesh::add_node(Point p, const NodeTag& tag) {
+  const NodeId v = topo_.add_node();
+  fit();
+  point_[v] = p;
+  tag_[v] = tag;
+  return v;
+}
+
+void WorkMesh::slide(NodeId v, double s, Point p) {
+  QUADLINE_CHECK(tag_[v].kind == NodeKind::OnCurve);
+  tag_[v].s = s;
+  point_[v] = p;
+}
+
+QuadPoints WorkMesh::quad_points(FaceId f) const {
+  const Polygon p = topo_.polygon(f);
+  return {point(p.nodes[0]), point(p.nodes[1]), point(p.nodes[2]), point(p.nodes[3])};
+}
+
+double WorkMesh::angle_between(HalfId a, HalfId b) const {
+  if (a == b) return 2 * std::numbers::pi;
+  const Point v = point(topo_.tail(a));
+  return corner_angle(point(topo_.head(b)), v, point(topo_.head(a)));
+}
+
+Refusal WorkMesh::can_swap(EdgeId e) const {
+  const HalfId h = half_of(e, 0), t = half_of(e, 1);
+  if (is_constraint(e)) return Refusal::OnConstraint;
+  if (!topo_.face(h).valid() || !topo_.face(t).valid()) return Refusal::OnBoundary;
+  if (!is_triangle(h) || !is_triangle(t)) return Refusal::NotTriangles;
+  const Point a = point(topo_.tail(h)), b = point(topo_.tail(t));
+  const Point c = point(topo_.tail(topo_.prev(h))), d = point(topo_.tail(topo_.prev(t)));
+  if (orientation(d, c, a) <= 0 || orientation(c, d, b) <= 0) return Refusal::WouldInvert;
+  return Refusal::None;
+}
+
+void WorkMesh::swap_edge(EdgeId e) {
+  QUADLINE_DEBUG_CHECK(can_swap(e) == Refusal::None);
+  topo_.swap_edge(e);
+}
+
+NodeId WorkMesh::split_edge(EdgeId e, Point p, const NodeTag& tag) {
+  const NodeId v = add_node(p, tag);
+  const FaceId left = topo_.face(half_of(e, 0)), right = topo_.face(half_of(e, 1));
+  const EdgeId rest = topo_.split_edge(e, v);
+  fit();
+  curve_[rest] = curve_[e];
+  if (left.valid()) cell_[topo_.face(half_of(rest, 0))] = cell_[topo_.face(half_of(e, 0))] = cell_[left];
+  if (right.valid()) cell_[topo_.face(half_of(rest, 1))] = cell_[topo_.face(half_of(e, 1))] = cell_[right];
+  topo_.for_each_out(v, [&](HalfId h) {
+    if (edge_of(h) != e && edge_of(h) != rest) curve_[edge_of(h)] = CurveId();
+  });
+  return v;
+}
+
+NodeId WorkMesh::split_face(FaceId f, Point p, const NodeTag& tag) {
+  const NodeId v = add_node(p, tag);
+  const auto [g, k] = topo_.split_face(f, v);
+  fit();
+  cell_[g] = cell_[k] = cell_[f];
+  topo_.for_each_out(v, [&](HalfId h) { curve_[edge_of(h)] = CurveId(); });
+  return v;
+}
+
+void WorkMesh::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,
+                              std::vector<FaceId>& made) {
+  const CellId cell = cell_[faces.front()];
+#ifndef NDEBUG
+  for (const FaceId f : faces) QUADLINE_CHECK(cell_[f] == cell);
+#endif
+  std::vector<HalfId> fresh;
+  topo_.replace_cavity(faces, polygons, made, fresh);
+  fit();
+  for (const HalfId h : fresh) curve_[edge_of(h)] = CurveId();
+  for (const FaceId f : made) cell_[f] = cell;
+}
+
+void WorkMesh::build(std::vector<Point> points, std::vector<NodeTag> tags, std::span<const Polygon> polygons) {
+  topo_.build(points.size(), polygons);
+  point_.raw() = std::move(points);
+  tag_.raw() = std::move(tags);
+  curve_.assign(topo_.edge_capacity(), CurveId());
+  cell_.assign(topo_.face_capacity(), CellId());
+  fit();
+}
+
+void WorkMesh::drop_outside() {
+  for (std::size_t i = 0; i < topo_.face_capacity(); ++i) {
+    const FaceId f(i);
+    if (topo_.is_live(f) && !cell_[f].valid()) topo_.remove_face(f);
+  }
+  for (std::size_t i = 0; i < topo_.node_capacity(); ++i) {
+    const NodeId v(i);
+    if (topo_.is_live(v) && !topo_.out(v).valid()) topo_.remove_node(v);
+  }
+}
+
+void WorkMesh::compact() {
+  const Topology::Renumbering map = topo_.compact();
+  const auto close = [](auto& array, const auto& to, std::size_t n) {
+    using IdType = std::decay_t<decltype(array.end_id())>;
+    for (std::size_t i = 0; i < to.count(); ++i)
+      if (to[IdType(i)].valid()) array[to[IdType(i)]] = array[IdType(i)];
+    array.raw().resize(n);
+  };
+  close(point_, map.node, topo_.node_capacity());
+  close(tag_, map.node, topo_.node_capacity());
+  close(curve_, map.edge, topo_.edge_capacity());
+  close(cell_, map.face, topo_.face_capacity());
+  for (Segment& s : segments) {
+    s.a = map.node[s.a];
+    s.b = map.node[s.b];
+  }
+}
+
+void WorkMesh::fit() {
+  point_.grow(topo_.node_capacity());
+  tag_.grow(topo_.node_capacity());
+  curve_.grow(topo_.edge_capacity());
+  cell_.grow(topo_.face_capacity());
+}
+
+int quads_for_angle(double angle_rad) {
+  const double degrees = angle_rad * 180 / std::numbers::pi;
+  if (degrees < 125) return 1;
+  if (degrees < 218) return 2;
+  return degrees < 310 ? 3 : 4;
+}
+
+int ideal_quads(const WorkMesh& mesh, NodeId v) {
+  int n = 0;
+  bool on_curve = false;
+  mesh.for_each_sector(v, [&](HalfId, HalfId, double angle) {
+    n += quads_for_angle(angle);
+    on_curve = true;
+  });
+  return on_curve ? n : 4;
+}
+
+std::string defect(const WorkMesh& mesh) {
+  const Topology& topo = mesh.topo();
+  if (const char* text = topo.defect()) return text;
+  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
+    const FaceId f(i);
+    if (!topo.is_live(f)) continue;
+    const Polygon p = topo.polygon(f);
+    double area = 0;
+    for (int k = 1; k + 1 < p.n; ++k)
+      area += twice_area(mesh.point(p.nodes[0]), mesh.point(p.nodes[k]), mesh.point(p.nodes[k + 1]));
+    const bool positive =
+        p.n == 3 ? orientation(mesh.point(p.nodes[0]), mesh.point(p.nodes[1]), mesh.point(p.nodes[2])) > 0 : area > 0;
+    if (!positive) {
+      const Point at = mesh.point(p.nodes[0]);
+      return "a face without positive area at (" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
+    }
+  }
+  for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
+    const EdgeId e(i);
+    if (!topo.is_live(e) || !mesh.is_constraint(e)) continue;
+    if (mesh.is_free(topo.tail(half_of(e, 0))) || mesh.is_free(topo.tail(half_of(e, 1))))
+      return "a constraint edge ends at a free node";
+  }
+  return "";
+}
+
+}  // namespace quadline

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/id.hpp"
+#include "geom/element.hpp"
+#include "quadline/point.hpp"
+#include "topo/topology.hpp"
+
+namespace quadline {
+
+enum class NodeKind : std::uint8_t {
+  Free,     ///< inside a cell: goes where smoothing wants it
+  OnCurve,  ///< inside a curve: slides along it, or stays
+  Fixed,    ///< at a vertex of the domain: stays
+};
+
+/// Where a node belongs.
+struct NodeTag {
+  NodeKind kind = NodeKind::Free;
+  CurveId curve;    ///< OnCurve: which
+  double s = 0;     ///< OnCurve: arc length along it
+  VertexId vertex;  ///< Fixed: which
+};
+
+/// An edge that the mesh must have: between neighbouring nodes of a curve, in its direction.
+struct Segment {
+  NodeId a, b;
+  CurveId curve;
+};
+
+/// Why a local operator may not be applied.
+enum class Refusal { None, OnBoundary, OnConstraint, NotTriangles, WouldInvert };
+
+/// The mesh that flows through the stages: connectivity, points, and what they belong to.
+///
+/// It is also the gate: the one place that knows what a constraint forbids. Editing goes through it, so that the
+/// arrays follow the connectivity.
+class WorkMesh {
+ public:
+  const Topology& topo() const { return topo_; }
+
+  // Nodes
+  Point point(NodeId v) const { return point_[v]; }
+  const NodeTag& tag(NodeId v) const { return tag_[v]; }
+  bool is_free(NodeId v) const { return tag_[v].kind == NodeKind::Free; }
+  NodeId add_node(Point p, const NodeTag& tag = {});
+  void move(NodeId v, Point p) { point_[v] = p; }  ///< free nodes
+  void slide(NodeId v, double s, Point p);         ///< nodes on curves: to the place s of their curve, at p
+
+  // Edges
+  CurveId curve(EdgeId e) const { return curve_[e]; }
+  bool is_constraint(EdgeId e) const { return curve_[e].valid(); }
+  bool is_constraint(HalfId h) const { return is_constraint(edge_of(h)); }
+  /// The face on one side is outside the domain.
+  bool is_boundary(EdgeId e) const { return is_outside(half_of(e, 0)) || is_outside(half_of(e, 1)); }
+  void set_curve(EdgeId e, CurveId c) { curve_[e] = c; }
+  double edge_length(EdgeId e) const {
+    return distance(point(topo_.tail(half_of(e, 0))), point(topo_.tail(half_of(e, 1))));
+  }
+
+  // Faces
+  CellId cell(FaceId f) const { return cell_[f]; }
+  void set_cell(FaceId f, CellId c) { cell_[f] = c; }
+  /// Outside the domain: no face, or a face of no cell (as the triangulation has until `drop_outside`).
+  bool is_outside(HalfId h) const {
+    const FaceId f = topo_.face(h);
+    return !f.valid() || !cell_[f].valid();
+  }
+  bool is_triangle(HalfId h) const { return topo_.face(h).valid() && topo_.is_triangle(topo_.face(h)); }
+  QuadPoints quad_points(FaceId f) const;
+
+  // Sectors: the gaps between neighbouring constraint edges round a node of a curve
+  /// Calls `visit(first, last, angle)` for each sector inside the domain: from half-edge `first` counter-clockwise to
+  /// half-edge `last`, both constraints and outgoing; the same where the node ends an open line (angle 2 pi).
+  template <class Visit>
+  void for_each_sector(NodeId v, Visit visit) const;
+  /// Angle in radians, (0, 2 pi], from a to b counter-clockwise, both outgoing half-edges of one node.
+  double angle_between(HalfId a, HalfId b) const;
+
+  // Local operators; each has its question
+  Refusal can_swap(EdgeId e) const;  ///< also exact convexity
+  void swap_edge(EdgeId e);
+  /// Splits an edge at p; where it is a constraint the tag says where on the curve the new node lies.
+  NodeId split_edge(EdgeId e, Point p, const NodeTag& tag = {});
+  NodeId split_face(FaceId f, Point p, const NodeTag& tag = {});  ///< a triangle into three
+  /// See Topology::replace_cavity; the new faces get the cell of the first old one, which all must share.
+  void replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons, std::vector<FaceId>& made);
+
+  // Whole mesh
+  void build(std::vector<Point> points, std::vector<NodeTag> tags, std::span<const Polygon> polygons);
+  /// Removes the faces of no cell, and the nodes that are left without an edge.
+  void drop_outside();
+  /// Closes the gaps that deleted elements left.
+  void compact();
+
+  /// Nodes of curves in order, from the discretisation; the triangulation makes them edges.
+  std::vector<Segment> segments;
+
+ private:
+  void fit();  ///< grows the arrays after the connectivity
+  Topology topo_;
+  IdVector<NodeId, Point> point_;
+  IdVector<NodeId, NodeTag> tag_;
+  IdVector<EdgeId, CurveId> curve_;
+  IdVector<FaceId, CellId> cell_;
+};
+
+/// Number of quads that fit best into a corner of the given angle (radians), at least 1: switches at 125, 218 and 310
+/// degrees, between "nearest to a square" (120, 216, 308.6) and plain rounding (135, 225, 315).
+int quads_for_angle(double angle_rad);
+
+/// The valence (number of quads) that suits a node best: 4 inside, the sum over the sectors on curves.
+int ideal_quads(const WorkMesh& mesh, NodeId v);
+
+/// First broken invariant, empty when there is none: connectivity, orientation, simple faces, tags. O(n).
+std::string defect(const WorkMesh& mesh);
+
+template <class Visit>
+void WorkMesh::for_each_sector(NodeId v, Visit visit) const {
+  const HalfId start = topo_.out(v);
+  if (!start.valid()) return;
+  HalfId first_constraint;
+  topo_.for_each_out(v, [&](HalfId h) {
+    if (!first_constraint.valid() && is_constraint(h)) first_constraint = h;
+  });
+  if (!first_constraint.valid()) return;
+  HalfId from = first_constraint;
+  do {
+    HalfId to = topo_.rotate_ccw(from);
+    while (!is_constraint(to)) to = topo_.rotate_ccw(to);
+    if (!is_outside(from)) visit(from, to, angle_between(from, to));
+    from = to;
+  } while (from != first_constraint);
+}
+
+}  // namespace quadline

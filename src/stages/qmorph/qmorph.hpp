@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "domain/size_field.hpp"
+#include "mesh/work_mesh.hpp"
+#include "quadline/context.hpp"
+#include "quadline/options.hpp"
+
+namespace quadline {
+
+/// Merges the triangles to quads along an advancing front: Q-Morph [Owen1999] with line constraints [Lee2003].
+///
+/// @param observe  called after the first layer of quads and half-way, with a name; may be empty.
+/// @pre   triangles only; an even number of edges round every cell.
+/// @post  quads only; every constraint is an edge still. Quads may be badly shaped, even inverted, where the front
+///        closed in haste: clean-up and smoothing mend that.
+/// Cost O(n log n).
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines,
+                    const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context);
+
+}  // namespace quadline

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "domain/domain.hpp"
+#include "quadline/context.hpp"
+#include "quadline/generate.hpp"
+#include "quadline/mesh.hpp"
+
+namespace quadline {
+
+/// Checks every promise on the flat mesh, without the connectivity that made it.
+///
+/// All quads, counter-clockwise, strictly convex; conforming (an edge has two faces, or one on the boundary); the area
+/// is the domain's; every curve is covered by mesh edges from end to end, in order, with its nodes on it; every vertex
+/// and point constraint is a node.
+///
+/// @return  the first broken promise; empty when all are kept. Cost O(n log n).
+std::optional<Failure> verify(const Mesh& mesh, const Domain& domain, Context& context);
+
+}  // namespace quadline

@@ -1,0 +1,354 @@
+#include "topo/topology.hpp"
+
+#include "base/check.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr FaceId kInCavity(UINT32_MAX - 1);
+
+}  // namespace
+
+HalfId Topology::find(NodeId a, NodeId b) const {
+  HalfId found;
+  const HalfId start = out(a);
+  if (!start.valid()) return found;
+  HalfId h = start;
+  do {
+    if (head(h) == b) return h;
+    h = rotate_ccw(h);
+  } while (h != start);
+  return found;
+}
+
+Polygon Topology::polygon(FaceId f) const {
+  Polygon p;
+  for_each_half(f, [&](HalfId h) { p.nodes[p.n++] = tail(h); });
+  return p;
+}
+
+int Topology::edge_valence(NodeId v) const {
+  int n = 0;
+  for_each_out(v, [&](HalfId) { ++n; });
+  return n;
+}
+
+NodeId Topology::add_node() {
+  if (free_nodes_.empty()) return out_.push_back(HalfId());
+  const NodeId v = free_nodes_.back();
+  free_nodes_.pop_back();
+  out_[v] = HalfId();
+  return v;
+}
+
+void Topology::remove_node(NodeId v) {
+  QUADLINE_CHECK(out_[v] == HalfId());
+  out_[v] = kDeleted;
+  free_nodes_.push_back(v);
+}
+
+EdgeId Topology::add_edge(NodeId a, NodeId b) {
+  EdgeId e;
+  if (free_edges_.empty()) {
+    e = EdgeId(half_.count() / 2);
+    half_.push_back({});
+    half_.push_back({});
+  } else {
+    e = free_edges_.back();
+    free_edges_.pop_back();
+  }
+  half_[half_of(e, 0)] = {a, HalfId(), HalfId(), FaceId()};
+  half_[half_of(e, 1)] = {b, HalfId(), HalfId(), FaceId()};
+  return e;
+}
+
+void Topology::free_edge(EdgeId e) {
+  half_[half_of(e, 0)] = {};
+  half_[half_of(e, 1)] = {};
+  free_edges_.push_back(e);
+}
+
+FaceId Topology::add_face(HalfId first) {
+  FaceId f;
+  if (free_faces_.empty()) {
+    f = first_.push_back(first);
+  } else {
+    f = free_faces_.back();
+    free_faces_.pop_back();
+    first_[f] = first;
+  }
+  return f;
+}
+
+void Topology::close_triangle(FaceId f, HalfId a, HalfId b, HalfId c) {
+  link(a, b);
+  link(b, c);
+  link(c, a);
+  half_[a].face = half_[b].face = half_[c].face = f;
+  first_[f] = a;
+}
+
+void Topology::build(std::size_t n_nodes, std::span<const Polygon> polygons) {
+  *this = {};
+  out_.assign(n_nodes, HalfId());
+  // Half-edges meet their twins in the bucket of their smaller node.
+  struct Waiting {
+    NodeId larger;
+    HalfId half;
+  };
+  IdVector<NodeId, std::vector<Waiting>> bucket(n_nodes);
+  for (const Polygon& p : polygons) {
+    const FaceId f = add_face(HalfId());
+    HalfId before, first;
+    for (int i = 0; i < p.n; ++i) {
+      const NodeId a = p.nodes[i], b = p.nodes[(i + 1) % p.n];
+      QUADLINE_CHECK(a != b && a.value < n_nodes && b.value < n_nodes);
+      auto& waiting = bucket[a < b ? a : b];
+      const NodeId larger = a < b ? b : a;
+      HalfId h;
+      for (std::size_t k = 0; k < waiting.size() && !h.valid(); ++k) {
+        if (waiting[k].larger != larger) continue;
+        h = twin(waiting[k].half);
+        QUADLINE_CHECK(tail(h) == a);  // else two faces lie on the same side of an edge
+        waiting[k] = waiting.back();
+        waiting.pop_back();
+      }
+      if (!h.valid()) {
+        h = half_of(add_edge(a, b));
+        waiting.push_back({larger, h});
+      }
+      half_[h].face = f;
+      out_[a] = h;
+      if (before.valid()) link(before, h);
+      if (!first.valid()) first = h;
+      before = h;
+    }
+    link(before, first);
+    first_[f] = first;
+  }
+  for (std::size_t i = 0; i < half_.count(); ++i) {
+    const HalfId h(i);
+    if (half_[h].face.valid()) continue;
+    HalfId g = twin(h);  // turns round the head of h, through faces, to the next half-edge of the outside
+    while (half_[g].face.valid()) g = twin(half_[g].prev);
+    link(h, g);
+    if (!out_[half_[h].tail].valid()) out_[half_[h].tail] = h;
+  }
+}
+
+std::array<FaceId, 2> Topology::split_face(FaceId f, NodeId v) {
+  const HalfId a = first_[f], b = next(a), c = next(b);
+  const EdgeId ea = add_edge(v, tail(a)), eb = add_edge(v, tail(b)), ec = add_edge(v, tail(c));
+  const FaceId g = add_face(b), k = add_face(c);
+  close_triangle(f, a, half_of(eb, 1), half_of(ea, 0));
+  close_triangle(g, b, half_of(ec, 1), half_of(eb, 0));
+  close_triangle(k, c, half_of(ea, 1), half_of(ec, 0));
+  out_[v] = half_of(ea, 0);
+  return {g, k};
+}
+
+EdgeId Topology::split_edge(EdgeId e, NodeId v) {
+  const HalfId h = half_of(e, 0), t = half_of(e, 1);
+  const NodeId b = tail(t);
+  const EdgeId rest = add_edge(v, b);
+  const HalfId rh = half_of(rest, 0), rt = half_of(rest, 1);
+  if (out_[b] == t) out_[b] = rt;
+  half_[t].tail = v;
+  out_[v] = rh;
+  half_[rh].face = half_[h].face;
+  half_[rt].face = half_[t].face;
+  link(rh, next(h));
+  link(h, rh);
+  link(prev(t), rt);
+  link(rt, t);
+  // A triangle has become a quad with v on one of its sides: cut it from v.
+  const auto halve = [&](HalfId arriving, HalfId leaving) {
+    const FaceId f = half_[arriving].face;
+    if (!f.valid()) return;
+    const HalfId x = next(leaving), y = next(x);
+    QUADLINE_CHECK(next(y) == arriving);
+    const EdgeId d = add_edge(v, tail(y));
+    const FaceId g = add_face(leaving);
+    close_triangle(g, leaving, x, half_of(d, 1));
+    close_triangle(f, arriving, half_of(d, 0), y);
+  };
+  halve(h, rh);
+  halve(rt, t);
+  return rest;
+}
+
+void Topology::swap_edge(EdgeId e) {
+  const HalfId h = half_of(e, 0), t = half_of(e, 1);
+  const HalfId a = next(h), b = next(a), c = next(t), d = next(c);
+  const FaceId f = half_[h].face, g = half_[t].face;
+  QUADLINE_CHECK(f.valid() && g.valid() && next(b) == h && next(d) == t);
+  const NodeId p = tail(h), q = tail(t);
+  if (out_[p] == h) out_[p] = c;
+  if (out_[q] == t) out_[q] = a;
+  half_[h].tail = tail(d);
+  half_[t].tail = tail(b);
+  close_triangle(f, h, b, c);
+  close_triangle(g, t, d, a);
+}
+
+void Topology::unlink_edge(EdgeId e) {
+  const HalfId h = half_of(e, 0), t = half_of(e, 1);
+  const NodeId a = tail(h), b = tail(t);
+  if (out_[a] == h) out_[a] = rotate_ccw(h) == h ? HalfId() : rotate_ccw(h);
+  if (out_[b] == t) out_[b] = rotate_ccw(t) == t ? HalfId() : rotate_ccw(t);
+  const HalfId before_h = prev(h), after_h = next(h), before_t = prev(t), after_t = next(t);
+  link(before_h, after_t);
+  link(before_t, after_h);
+  free_edge(e);
+}
+
+void Topology::remove_face(FaceId f) {
+  std::array<HalfId, 4> halves;
+  int n = 0;
+  for_each_half(f, [&](HalfId h) { halves[n++] = h; });
+  for (int i = 0; i < n; ++i) half_[halves[i]].face = FaceId();
+  for (int i = 0; i < n; ++i) {
+    if (!half_[twin(halves[i])].face.valid()) unlink_edge(edge_of(halves[i]));
+  }
+  first_[f] = HalfId();
+  free_faces_.push_back(f);
+}
+
+void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,
+                              std::vector<FaceId>& made, std::vector<HalfId>& fresh) {
+  std::vector<HalfId> halves;
+  for (const FaceId f : faces) {
+    for_each_half(f, [&](HalfId h) {
+      halves.push_back(h);
+      half_[h].face = kInCavity;
+    });
+    first_[f] = HalfId();
+    free_faces_.push_back(f);
+  }
+  std::vector<HalfId> rim;     // half-edges of the cavity whose twin lies outside it; each waits for a polygon
+  std::vector<EdgeId> inside;  // edges with both sides in the cavity
+  std::vector<NodeId> nodes;
+  for (const HalfId h : halves) {
+    nodes.push_back(tail(h));
+    out_[tail(h)] = HalfId();
+    if (half_[twin(h)].face != kInCavity) {
+      rim.push_back(h);
+    } else if (h < twin(h)) {
+      inside.push_back(edge_of(h));
+    }
+  }
+  for (const HalfId h : rim) out_[tail(h)] = h;
+  for (const EdgeId e : inside) free_edge(e);
+
+  const auto take = [this](std::vector<HalfId>& waiting, NodeId a, NodeId b) {
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      const HalfId h = waiting[i];
+      if (tail(h) != a || head(h) != b) continue;
+      waiting[i] = waiting.back();
+      waiting.pop_back();
+      return h;
+    }
+    return HalfId();
+  };
+  made.clear();
+  fresh.clear();
+  std::vector<HalfId> open;  // second sides of new edges
+  for (const Polygon& p : polygons) {
+    std::array<HalfId, 4> side;
+    for (int i = 0; i < p.n; ++i) {
+      const NodeId a = p.nodes[i], b = p.nodes[(i + 1) % p.n];
+      side[i] = take(rim, a, b);
+      if (!side[i].valid()) side[i] = take(open, a, b);
+      if (side[i].valid()) continue;
+      side[i] = half_of(add_edge(a, b));
+      open.push_back(twin(side[i]));
+      fresh.push_back(side[i]);
+    }
+    const FaceId f = add_face(side[0]);
+    for (int i = 0; i < p.n; ++i) {
+      link(side[i], side[(i + 1) % p.n]);
+      half_[side[i]].face = f;
+      out_[tail(side[i])] = side[i];
+    }
+    made.push_back(f);
+  }
+  QUADLINE_CHECK(rim.empty() && open.empty());  // the polygons fill the boundary of the cavity
+  for (const NodeId v : nodes) {
+    if (out_[v] == HalfId()) remove_node(v);
+  }
+}
+
+Topology::Renumbering Topology::compact() {
+  Renumbering map{IdVector<NodeId, NodeId>(node_capacity()), IdVector<EdgeId, EdgeId>(edge_capacity()),
+                  IdVector<FaceId, FaceId>(face_capacity())};
+  std::size_t n_nodes = 0, n_edges = 0, n_faces = 0;
+  for (std::size_t i = 0; i < node_capacity(); ++i)
+    if (is_live(NodeId(i))) map.node[NodeId(i)] = NodeId(n_nodes++);
+  for (std::size_t i = 0; i < edge_capacity(); ++i)
+    if (is_live(EdgeId(i))) map.edge[EdgeId(i)] = EdgeId(n_edges++);
+  for (std::size_t i = 0; i < face_capacity(); ++i)
+    if (is_live(FaceId(i))) map.face[FaceId(i)] = FaceId(n_faces++);
+
+  const auto moved = [&](HalfId h) { return h.valid() ? half_of(map.edge[edge_of(h)], h.value & 1) : HalfId(); };
+  for (std::size_t i = 0; i < node_capacity(); ++i)
+    if (const NodeId to = map.node[NodeId(i)]; to.valid()) out_[to] = moved(out_[NodeId(i)]);
+  for (std::size_t i = 0; i < edge_capacity(); ++i) {
+    const EdgeId to = map.edge[EdgeId(i)];
+    if (!to.valid()) continue;
+    for (int side = 0; side < 2; ++side) {
+      const Half h = half_[half_of(EdgeId(i), side)];
+      half_[half_of(to, side)] = {map.node[h.tail], moved(h.next), moved(h.prev),
+                                  h.face.valid() ? map.face[h.face] : FaceId()};
+    }
+  }
+  for (std::size_t i = 0; i < face_capacity(); ++i)
+    if (const FaceId to = map.face[FaceId(i)]; to.valid()) first_[to] = moved(first_[FaceId(i)]);
+  out_.raw().resize(n_nodes);
+  half_.raw().resize(2 * n_edges);
+  first_.raw().resize(n_faces);
+  free_nodes_.clear();
+  free_edges_.clear();
+  free_faces_.clear();
+  return map;
+}
+
+const char* Topology::defect() const {
+  for (std::size_t i = 0; i < half_.count(); ++i) {
+    const HalfId h(i);
+    if (!is_live(edge_of(h))) continue;
+    const Half& a = half_[h];
+    if (!is_live(a.tail)) return "a half-edge starts at a deleted node";
+    if (tail(h) == head(h)) return "an edge joins a node to itself";
+    if (half_[a.next].prev != h || half_[a.prev].next != h) return "next and prev disagree";
+    if (tail(a.next) != head(h)) return "next does not start at the head";
+    if (half_[a.next].face != a.face) return "a face changes along its half-edges";
+    if (!a.face.valid() && !half_[twin(h)].face.valid()) return "an edge has no face";
+  }
+  for (std::size_t i = 0; i < first_.count(); ++i) {
+    const FaceId f(i);
+    if (!is_live(f)) continue;
+    const HalfId h = first_[f];
+    if (half_[h].face != f) return "the first half-edge of a face is not its own";
+    const HalfId third = next(next(next(h)));
+    if (third != h && next(third) != h) return "a face has neither three nor four sides";
+    const Polygon p = polygon(f);
+    for (int a = 0; a < p.n; ++a)
+      for (int b = a + 1; b < p.n; ++b)
+        if (p.nodes[a] == p.nodes[b]) return "a face meets a node twice";
+  }
+  IdVector<NodeId, std::uint32_t> outgoing(node_capacity(), 0);
+  for (std::size_t i = 0; i < half_.count(); ++i)
+    if (is_live(edge_of(HalfId(i)))) ++outgoing[tail(HalfId(i))];
+  for (std::size_t i = 0; i < out_.count(); ++i) {
+    const NodeId v(i);
+    if (!is_live(v) || out_[v] == HalfId()) continue;
+    if (!is_live(edge_of(out_[v])) || tail(out_[v]) != v) return "the outgoing half-edge of a node is not its own";
+    std::uint32_t n = 0;
+    for_each_out(v, [&](HalfId) { ++n; });
+    if (n != outgoing[v]) return "the half-edges of a node are not one ring";
+  }
+  return nullptr;
+}
+
+}  // namespace quadline

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/id.hpp"
+
+namespace quadline {
+
+/// The half-edges of an edge differ in the last bit; nothing is stored for it.
+constexpr HalfId twin(HalfId h) { return HalfId(h.value ^ 1u); }
+constexpr EdgeId edge_of(HalfId h) { return EdgeId(h.value >> 1); }
+constexpr HalfId half_of(EdgeId e, int side = 0) { return HalfId(2 * std::size_t{e.value} + side); }
+
+/// The corners of a triangle or a quad, counter-clockwise.
+struct Polygon {
+  std::array<NodeId, 4> nodes;
+  int n = 0;
+
+  Polygon() = default;
+  Polygon(NodeId a, NodeId b, NodeId c) : nodes{a, b, c, NodeId()}, n(3) {}
+  Polygon(NodeId a, NodeId b, NodeId c, NodeId d) : nodes{a, b, c, d}, n(4) {}
+  std::span<const NodeId> corners() const { return {nodes.data(), static_cast<std::size_t>(n)}; }
+};
+
+/// Connectivity of a plane mesh of triangles and quads, as half-edges; no coordinates.
+///
+/// A half-edge runs from `tail` to `head` with its face on the left; an invalid face is the outside, whose half-edges
+/// are linked as well. Slots of deleted elements are re-used: iterate with `is_live`, and `compact` at the end of a
+/// stage.
+class Topology {
+ public:
+  // Size: live elements, and slots (live or not)
+  std::size_t node_count() const { return out_.count() - free_nodes_.size(); }
+  std::size_t edge_count() const { return half_.count() / 2 - free_edges_.size(); }
+  std::size_t face_count() const { return first_.count() - free_faces_.size(); }
+  std::size_t node_capacity() const { return out_.count(); }
+  std::size_t edge_capacity() const { return half_.count() / 2; }
+  std::size_t face_capacity() const { return first_.count(); }
+  bool is_live(NodeId v) const { return out_[v] != kDeleted; }
+  bool is_live(EdgeId e) const { return half_[half_of(e)].tail.valid(); }
+  bool is_live(FaceId f) const { return first_[f].valid(); }
+
+  // Walking
+  NodeId tail(HalfId h) const { return half_[h].tail; }
+  NodeId head(HalfId h) const { return half_[twin(h)].tail; }
+  HalfId next(HalfId h) const { return half_[h].next; }
+  HalfId prev(HalfId h) const { return half_[h].prev; }
+  FaceId face(HalfId h) const { return half_[h].face; }
+  HalfId first(FaceId f) const { return first_[f]; }
+  /// An outgoing half-edge; invalid where the node has no edge.
+  HalfId out(NodeId v) const { return out_[v] == kDeleted ? HalfId() : out_[v]; }
+  /// The next outgoing half-edge of the same node.
+  HalfId rotate_ccw(HalfId h) const { return twin(prev(h)); }
+  HalfId rotate_cw(HalfId h) const { return next(twin(h)); }
+  /// Half-edge from a to b; invalid where there is none. O(valence).
+  HalfId find(NodeId a, NodeId b) const;
+  bool is_triangle(FaceId f) const { return next(next(next(first_[f]))) == first_[f]; }
+  int sides(FaceId f) const { return is_triangle(f) ? 3 : 4; }
+  Polygon polygon(FaceId f) const;
+  int edge_valence(NodeId v) const;
+
+  /// Calls `visit(HalfId)` for each outgoing half-edge of v, counter-clockwise.
+  template <class Visit>
+  void for_each_out(NodeId v, Visit visit) const {
+    const HalfId start = out(v);
+    if (!start.valid()) return;
+    HalfId h = start;
+    do {
+      const HalfId following = rotate_ccw(h);
+      visit(h);
+      h = following;
+    } while (h != start);
+  }
+  /// Calls `visit(HalfId)` for each half-edge of f, counter-clockwise.
+  template <class Visit>
+  void for_each_half(FaceId f, Visit visit) const {
+    const HalfId start = first_[f];
+    HalfId h = start;
+    do {
+      const HalfId following = next(h);
+      visit(h);
+      h = following;
+    } while (h != start);
+  }
+
+  // Editing. All are O(1) or linear in what they touch. Precondition of each: what its name says exists.
+  NodeId add_node();
+  void remove_node(NodeId v);  ///< isolated nodes only
+
+  /// Makes the mesh of `polygons` over `n_nodes` nodes; whatever was there is gone.
+  void build(std::size_t n_nodes, std::span<const Polygon> polygons);
+
+  /// Triangle into three, round `v` (isolated). Slot f stays one of them; returns the two new faces.
+  std::array<FaceId, 2> split_face(FaceId f, NodeId v);
+
+  /// Edge a-b into a-v and v-b, `v` isolated; triangles beside it are split in two, the outside is not. Edge e becomes
+  /// a-v (a: tail of half_of(e)). Returns the new edge v-b.
+  EdgeId split_edge(EdgeId e, NodeId v);
+
+  /// Turns the diagonal of the two triangles beside e; e stays the edge.
+  void swap_edge(EdgeId e);
+
+  /// Takes a face away: its place becomes outside. Edges without a face go; nodes stay.
+  void remove_face(FaceId f);
+
+  /// Replaces the faces of a cavity by polygons that fill the same boundary; the general edit.
+  ///
+  /// Edges between two faces of the cavity go and are made anew where the polygons ask for them; nodes that no longer
+  /// have an edge are removed. Nodes of the polygons that were not in the cavity must be isolated.
+  ///
+  /// @param made   the new faces, in the order of `polygons`.
+  /// @param fresh  the new edges, by one of their half-edges.
+  void replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons, std::vector<FaceId>& made,
+                      std::vector<HalfId>& fresh);
+
+  /// Maps from old ids to new ones; invalid: deleted.
+  struct Renumbering {
+    IdVector<NodeId, NodeId> node;
+    IdVector<EdgeId, EdgeId> edge;
+    IdVector<FaceId, FaceId> face;
+  };
+  /// Closes the gaps that deleted elements left, in the order of the ids.
+  Renumbering compact();
+
+  /// First broken invariant as text, empty when there is none. O(n).
+  const char* defect() const;
+
+ private:
+  struct Half {
+    NodeId tail;
+    HalfId next, prev;
+    FaceId face;
+  };
+  static constexpr HalfId kDeleted{UINT32_MAX - 1};
+
+  EdgeId add_edge(NodeId a, NodeId b);
+  void free_edge(EdgeId e);
+  FaceId add_face(HalfId first);
+  void link(HalfId a, HalfId b) {
+    half_[a].next = b;
+    half_[b].prev = a;
+  }
+  void close_triangle(FaceId f, HalfId a, HalfId b, HalfId c);
+  void unlink_edge(EdgeId e);
+
+  IdVector<HalfId, Half> half_;
+  IdVector<NodeId, HalfId> out_;
+  IdVector<FaceId, HalfId> first_;
+  std::vector<NodeId> free_nodes_;
+  std::vector<EdgeId> free_edges_;
+  std::vector<FaceId> free_faces_;
+};
+
+}  // namespace quadline
