@@ -1,0 +1,92 @@
+// The pipeline, in the order of [Lee2003].
+#include "quadline/generate.hpp"
+
+#include <chrono>
+#include <string>
+
+#include "domain/arrange.hpp"
+#include "domain/size_field.hpp"
+#include "flatten.hpp"
+#include "stages/cleanup/cleanup.hpp"
+#include "stages/discretize/discretize.hpp"
+#include "stages/field_points/field_points.hpp"
+#include "stages/qmorph/qmorph.hpp"
+#include "stages/smooth/smooth.hpp"
+#include "stages/triangulate/triangulate.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace quadline {
+
+namespace {
+
+// Runs the stages by name and notes how long each took.
+class Clock {
+ public:
+  Clock(Report& report, Context& context) : report_(report), context_(context) {}
+
+  template <class Stage>
+  auto run(const char* name, Stage stage) {
+    context_.progress(name, 0);
+    const auto start = std::chrono::steady_clock::now();
+    struct Note {  // on the way out, whatever the stage returns
+      Report& report;
+      const char* name;
+      std::chrono::steady_clock::time_point start;
+      ~Note() {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        report.stages.push_back({name, elapsed.count()});
+      }
+    } note{report_, name, start};
+    return stage();
+  }
+
+ private:
+  Report& report_;
+  Context& context_;
+};
+
+// Target sizes at the middles of the edges, for the measure of edge length over size.
+std::vector<double> sizes_at_edges(const Mesh& mesh, const SizeField& size) {
+  std::vector<double> sizes;
+  for (const auto& [a, b] : edges_of(mesh)) sizes.push_back(size.at(midpoint(mesh.points[a], mesh.points[b])));
+  return sizes;
+}
+
+}  // namespace
+
+MeshResult generate(const Model& model, const Options& options, Context& context) {
+  MeshResult result;
+  Report& report = result.report;
+  Clock clock(report, context);
+
+  const Domain domain = clock.run("arrange", [&] { return arrange(model, options, context); });
+  report.tolerance = domain.tolerance;
+  report.n_cells = domain.cells.count();
+  report.n_curves = domain.curves.count();
+  report.n_vertices = domain.vertices.count();
+  report.findings = domain.findings;
+  const auto snapshot = [&](std::string_view name, const WorkMesh& mesh) {
+    if (context.on_snapshot) context.on_snapshot(name, flatten(mesh, domain));
+  };
+
+  const SizeField size = clock.run("sizing", [&] { return make_size_field(domain, options, context); });
+  WorkMesh mesh = clock.run("discretize", [&] { return discretize(domain, size, context); });
+  clock.run("triangulate", [&] { triangulate(mesh, domain, context); });
+  snapshot("triangulation", mesh);
+  clock.run("field points", [&] { insert_field_points(mesh, size, options.triangles, context); });
+  snapshot("field-points", mesh);
+  clock.run("qmorph", [&] { merge_to_quads(mesh, size, options.lines, snapshot, context); });
+  snapshot("quads", mesh);
+  report.before_smoothing = measure(flatten(mesh, domain));
+  clock.run("clean-up", [&] { clean_up(mesh, size, context); });
+  snapshot("clean-up", mesh);
+  clock.run("smooth", [&] { smooth(mesh, domain, size, {}, context); });
+
+  result.mesh = flatten(mesh, domain);
+  result.failure = clock.run("verify", [&] { return verify(result.mesh, domain, context); });
+  report.quality = measure(result.mesh, sizes_at_edges(result.mesh, size));
+  if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
+  return result;
+}
+
+}  // namespace quadline

@@ -1,0 +1,199 @@
+// The main loop of Q-Morph [Owen1999 section 3] with line constraints [Lee2003 section 4].
+#include "stages/qmorph/qmorph.hpp"
+
+#include <algorithm>
+#include <queue>
+
+#include "base/check.hpp"
+#include "stages/qmorph/morph.hpp"
+
+namespace quadline {
+
+Morph::Morph(WorkMesh& mesh, const SizeField& size) : mesh_(mesh), size_(size) {
+  insertions_ = mesh.topo().node_count() / 4 + 64;
+  const Topology& topo = mesh.topo();
+  for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
+    const EdgeId e(i);
+    if (!topo.is_live(e) || !mesh.is_constraint(e)) continue;
+    if (parity_.tie(topo.tail(half_of(e, 0)), topo.tail(half_of(e, 1)), true)) continue;
+    const Point p = mesh.point(topo.tail(half_of(e, 0)));
+    throw InternalError("the edges round a cell are odd in number", {.file = {}, .place = {}, .point = p});
+  }
+}
+
+namespace {
+
+/// Front edges in the order in which they become base edges; entries that a later push has replaced are skipped.
+class FrontQueue {
+ public:
+  explicit FrontQueue(const Morph& morph) : morph_(morph) {}
+
+  void push(HalfId h) {
+    const WorkMesh& mesh = morph_.mesh();
+    const Corner before = corner_before(mesh, h), after = corner_after(mesh, h);
+    const int closed = (before.state == State::Closed) + (after.state == State::Closed);
+    const bool seam = before.quads == 0 || after.quads == 0;
+    version_.grow(h.value + std::size_t{1}, 0);
+    heap_.push({morph_.level(edge_of(h)), seam ? 0 : 3 - closed, mesh.edge_length(edge_of(h)), h, ++version_[h]});
+  }
+  /// The next base edge; invalid when there is none.
+  HalfId pop() {
+    while (!heap_.empty()) {
+      const Entry e = heap_.top();
+      heap_.pop();
+      if (e.version == version_[e.half]) return e.half;
+    }
+    return {};
+  }
+
+ private:
+  struct Entry {
+    int level, rank;
+    double length;
+    HalfId half;
+    std::uint32_t version;
+    bool operator<(const Entry& o) const {  // the heap gives its largest: the entry that should go first
+      const int window = level / 2, other = o.level / 2;
+      if (window != other) return window > other;
+      if (rank != o.rank) return rank > o.rank;
+      if (level != o.level) return level > o.level;
+      if (length != o.length) return length > o.length;
+      return half > o.half;
+    }
+  };
+  const Morph& morph_;
+  std::priority_queue<Entry> heap_;
+  IdVector<HalfId, std::uint32_t> version_;
+};
+
+class Driver {
+ public:
+  Driver(WorkMesh& mesh, const SizeField& size, LineFronts lines) : mesh_(mesh), morph_(mesh, size), queue_(morph_) {
+    if (lines == LineFronts::OneSided) find_dormant();
+    push_all();
+  }
+
+  void run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+    const std::size_t n_start = mesh_.topo().face_count();
+    std::size_t steps = 0;
+    bool first_layer = true, half_way = true;
+    while (next_step()) {
+      if (++steps % 1024 == 0) {
+        context.progress("qmorph", 1 - static_cast<double>(2 * mesh_.topo().face_count() - n_start) /
+                                           static_cast<double>(n_start + 1));
+      }
+      if (first_layer && base_level_ > 0) {
+        first_layer = false;
+        if (observe) observe("first-layer", mesh_);
+      }
+      if (half_way && 4 * mesh_.topo().face_count() < 3 * n_start) {
+        half_way = false;
+        if (observe) observe("half-way", mesh_);
+      }
+    }
+    morph_.complete();
+  }
+
+ private:
+  // One base edge: true while there is work. Edges that were refused wait; each success brings back its neighbours, and
+  // when nothing else is left all that waited get one more try, as long as something has changed since.
+  bool next_step() {
+    const HalfId base = queue_.pop();
+    if (!base.valid()) return retry();
+    if (!mesh_.topo().is_live(edge_of(base)) || !is_front(mesh_, base) || is_dormant(base)) return true;
+    base_level_ = std::max(base_level_, morph_.level(edge_of(base)));
+    if (!step(base)) {
+      waiting_.push_back(base);
+      return true;
+    }
+    progress_ = true;
+    push_touched();
+    return true;
+  }
+
+  bool step(HalfId base) {
+    if (morph_.close_loop(base)) return true;
+    for (const bool at_head : {false, true}) {
+      const Corner corner = at_head ? corner_after(mesh_, base) : corner_before(mesh_, base);
+      if (morph_.transition(corner)) return true;
+      if (corner.quads == 0 && morph_.seam(corner)) return true;
+    }
+    return morph_.form_quad(base);
+  }
+
+  bool retry() {
+    if (progress_ && retries_ < kMostRetries) {
+      progress_ = false;
+      ++retries_;
+    } else if (!dormant_.empty()) {
+      dormant_.clear();  // nothing else can be chosen: the second sides of lines wake up
+      push_all();
+      return true;
+    } else {
+      return false;
+    }
+    for (const HalfId h : waiting_)
+      if (mesh_.topo().is_live(edge_of(h)) && is_front(mesh_, h)) queue_.push(h);
+    waiting_.clear();
+    return true;
+  }
+
+  void push_touched() {
+    const Topology& topo = mesh_.topo();
+    pushed_.clear();
+    const auto push = [&](HalfId h) {
+      if (!is_front(mesh_, h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
+      pushed_.push_back(h);
+      queue_.push(h);
+    };
+    for (const NodeId v : morph_.touched()) {
+      if (!topo.is_live(v)) continue;
+      topo.for_each_out(v, [&](HalfId h) {
+        push(h);
+        push(twin(h));
+      });
+    }
+  }
+
+  void push_all() {
+    const Topology& topo = mesh_.topo();
+    for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
+      if (!topo.is_live(EdgeId(i))) continue;
+      for (int side = 0; side < 2; ++side)
+        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_dormant(h)) queue_.push(h);
+    }
+  }
+
+  // [Lee2003]: a line's front starts on one fixed side, its left. The other side sleeps until that side is meshed.
+  void find_dormant() {
+    const Topology& topo = mesh_.topo();
+    dormant_.assign(2 * topo.edge_capacity(), 0);
+    for (const Segment& s : mesh_.segments) {
+      const HalfId h = topo.find(s.a, s.b);
+      if (h.valid() && !mesh_.is_boundary(edge_of(h))) dormant_[twin(h)] = 1;
+    }
+  }
+  bool is_dormant(HalfId h) const {
+    return h.value < dormant_.count() && dormant_[h] != 0 && mesh_.is_constraint(h) && mesh_.is_triangle(twin(h));
+  }
+
+  static constexpr int kMostRetries = 8;
+  WorkMesh& mesh_;
+  Morph morph_;
+  FrontQueue queue_;
+  IdVector<HalfId, std::uint8_t> dormant_;
+  std::vector<HalfId> waiting_, pushed_;
+  bool progress_ = false;
+  int retries_ = 0, base_level_ = 0;
+};
+
+}  // namespace
+
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines,
+                    const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+  context.progress("qmorph", 0);
+  Driver(mesh, size, lines).run(observe, context);
+  mesh.compact();
+}
+
+}  // namespace quadline
