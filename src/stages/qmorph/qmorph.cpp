@@ -53,10 +53,8 @@ class FrontQueue {
     HalfId half;
     std::uint32_t version;
     bool operator<(const Entry& o) const {  // the heap gives its largest: the entry that should go first
-      const int window = level / 2, other = o.level / 2;
-      if (window != other) return window > other;
-      if (rank != o.rank) return rank > o.rank;
       if (level != o.level) return level > o.level;
+      if (rank != o.rank) return rank > o.rank;
       if (length != o.length) return length > o.length;
       return half > o.half;
     }

@@ -1,0 +1,145 @@
+// Measures and meetings of two pieces.
+//
+// Floating-point signs are enough here: ends nearer than the tolerance to the other piece were dealt with before, so the
+// signs that decide stand millions of rounding errors from zero.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "domain/arrange_work.hpp"
+
+namespace quadline::arrangement {
+
+namespace {
+
+/// Is a point of the arc's circle on the arc? An arc of at most half a turn lies on one side of its chord.
+bool on_arc_side(const CurvePiece& arc, Point p) {
+  const double side = cross(arc.b - arc.a, p - arc.a);
+  return arc.sweep > 0 ? side <= 0 : side >= 0;
+}
+
+/// Meets of the pieces' supports, as far as they lie on both pieces.
+class Meetings {
+ public:
+  Meetings(const Piece& p, const Piece& q, double tolerance) : p_(p), q_(q), tolerance_(tolerance) {}
+
+  std::vector<Point> find() {
+    if (!p_.curve.is_arc() && !q_.curve.is_arc()) {
+      segments();
+    } else if (p_.curve.is_arc() && q_.curve.is_arc()) {
+      arcs();
+    } else if (p_.curve.is_arc()) {
+      segment_and_arc(q_.curve, p_.curve);
+    } else {
+      segment_and_arc(p_.curve, q_.curve);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void segments() {
+    const CurvePiece *s = &p_.curve, *t = &q_.curve;
+    // The point is found along the shorter one, where it is surest.
+    if (norm2(t->b - t->a) < norm2(s->b - s->a)) std::swap(s, t);
+    const Point u = s->b - s->a;
+    const Point v = t->b - t->a;
+    const double a = cross(v, s->a - t->a);
+    const double b = cross(v, s->b - t->a);
+    const double c = cross(u, t->a - s->a);
+    const double d = cross(u, t->b - s->a);
+    const auto opposite = [](double x, double y) { return (x < 0 && y > 0) || (x > 0 && y < 0); };
+    if (opposite(a, b) && opposite(c, d)) keep(s->a + (a / (a - b)) * u);
+  }
+
+  void segment_and_arc(const CurvePiece& segment, const CurvePiece& arc) {
+    const double chord = distance(segment.a, segment.b);
+    const Point along = (1 / chord) * (segment.b - segment.a);
+    const Point to_center = arc.center - segment.a;
+    const double foot = dot(along, to_center);
+    const double off = cross(along, to_center);
+    const double depth = arc.radius - std::abs(off);
+    if (depth < -tolerance_) return;
+    const auto add = [&](double at, Point p) {
+      if (at > 0 && at < chord && on_arc_side(arc, p)) keep(p);
+    };
+    if (depth <= tolerance_) {
+      const Point outward = std::copysign(arc.radius, -off) * left_normal(along);
+      add(foot, arc.center - outward * Sign{off});
+      return;
+    }
+    const double half = std::sqrt(depth * (arc.radius + std::abs(off)));
+    for (const double at : {foot - half, foot + half}) add(at, segment.a + at * along);
+  }
+
+  void arcs() {
+    const CurvePiece& a = p_.curve;
+    const CurvePiece& b = q_.curve;
+    const Point axis = b.center - a.center;
+    const double apart = norm(axis);
+    const double outer_depth = a.radius + b.radius - apart;
+    const double inner_depth = apart - std::abs(a.radius - b.radius);
+    // One circle lies on the other within the tolerance: they meet at ends only.
+    if (apart + std::abs(a.radius - b.radius) <= tolerance_) return;
+    if (outer_depth < -tolerance_ || inner_depth < -tolerance_) return;
+    const auto add = [&](Point p) {
+      if (on_arc_side(a, p) && on_arc_side(b, p)) keep(p);
+    };
+    const Point unit = (1 / apart) * axis;
+    if (outer_depth <= tolerance_) return add(a.center + a.radius * unit);
+    if (inner_depth <= tolerance_) return add(a.center + std::copysign(a.radius, a.radius - b.radius) * unit);
+    const double foot = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
+    const double half = std::sqrt(std::max(0.0, (a.radius - foot) * (a.radius + foot)));
+    for (const double at : {-half, half}) add(a.center + foot * unit + at * left_normal(unit));
+  }
+
+  void keep(Point p) {
+    for (const Point end : {p_.curve.a, p_.curve.b, q_.curve.a, q_.curve.b}) {
+      if (distance(p, end) <= tolerance_) return;
+    }
+    for (const VertexId shared : {p_.tail, p_.head}) {
+      if ((shared == q_.tail || shared == q_.head) && is_together(shared, p)) return;
+    }
+    found_.push_back(p);
+  }
+
+  /// Do the pieces run within the tolerance of each other from a shared end to p? Then they touch there, no more.
+  bool is_together(VertexId shared, Point p) const {
+    const double from = shared == p_.tail ? 0 : length(p_.curve);
+    const double to = project(p_.curve, p);
+    for (const double f : {0.25, 0.5, 0.75}) {
+      if (distance_to(q_.curve, point_at(p_.curve, from + f * (to - from))) > tolerance_) return false;
+    }
+    return true;
+  }
+
+  const Piece& p_;
+  const Piece& q_;
+  double tolerance_;
+  std::vector<Point> found_;
+};
+
+}  // namespace
+
+double distance_to(const CurvePiece& piece, Point p) {
+  if (!piece.is_arc()) {
+    const Point chord = piece.b - piece.a;
+    const Point to = p - piece.a;
+    const double along = dot(to, chord);
+    if (along <= 0) return norm(to);
+    if (along >= norm2(chord)) return distance(p, piece.b);
+    return std::abs(cross(chord, to)) / norm(chord);
+  }
+  return distance(p, point_at(piece, project(piece, p)));
+}
+
+double twice_area_under(const CurvePiece& piece, Point origin) {
+  double twice = cross(piece.a - origin, piece.b - origin);
+  if (piece.is_arc()) twice += norm2(piece.a - piece.center) * (piece.sweep - std::sin(piece.sweep));
+  return twice;
+}
+
+std::vector<Point> meetings(const Piece& p, const Piece& q, double tolerance) {
+  return Meetings(p, q, tolerance).find();
+}
+
+}  // namespace quadline::arrangement

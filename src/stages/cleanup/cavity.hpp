@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "stages/cleanup/sectors.hpp"
+
+namespace quadline::cleanup {
+
+/// Quads that form a disk: its rim meets every node once, no constraint runs inside, all inner nodes are free.
+struct Cavity {
+  struct RimNode {
+    NodeId node;
+    HalfId half;      ///< rim half-edge that leaves the node, cavity on its left
+    Wish wish;        ///< of the sector that the cavity lies in
+    int inside = 0;   ///< quads of the sector in the cavity
+    int outside = 0;  ///< and the others
+  };
+  std::vector<FaceId> faces;
+  std::vector<RimNode> rim;  ///< counter-clockwise
+  std::vector<NodeId> inner;
+  int cost = 0;  ///< valence cost of all its sectors
+};
+
+/// What shall stand in the place of a cavity.
+struct Replacement {
+  std::vector<NodeId> inner;                  ///< nodes inside that stay; invalid: new
+  std::vector<std::array<std::uint8_t, 4>> quads;  ///< 0 .. n_rim-1: the rim; then `inner`
+};
+
+/// Collects cavities; keeps the marks that this needs.
+class CavityFinder {
+ public:
+  CavityFinder(const WorkMesh& mesh, const Sectors& sectors) : mesh_(mesh), sectors_(sectors) {}
+
+  /// Fills `cavity` from its faces (no face twice). False: they do not form one. O(faces).
+  bool collect(std::span<const FaceId> faces, Cavity& cavity);
+
+ private:
+  bool is_inside(HalfId h) const {
+    const FaceId f = mesh_.topo().face(h);
+    return f.valid() && face_mark_[f] == mark_;
+  }
+  bool walk_rim(HalfId start, std::size_t n_rim, Cavity& cavity);
+
+  const WorkMesh& mesh_;
+  const Sectors& sectors_;
+  IdVector<FaceId, std::uint32_t> face_mark_;
+  IdVector<NodeId, std::uint32_t> node_mark_;
+  std::uint32_t mark_ = 0;
+};
+
+}  // namespace quadline::cleanup

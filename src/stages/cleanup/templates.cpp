@@ -1,0 +1,204 @@
+// Small quadrangulations of a disk [Reberol2021]: the quad on the first side of an open polygon is chosen in all ways, and
+// what remains is one to three smaller polygons; every quadrangulation comes out once for each rotation of its rim.
+#include "stages/cleanup/templates.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace quadline::cleanup {
+
+namespace {
+
+constexpr int kMostInnerQuads = 5;     // valences 3 to 5 inside
+constexpr int kMostIrregular = 2;      // inner nodes of three or five quads
+constexpr int kWaysPerRim = 2;         // templates kept of those that do the same to the rim
+struct Family {
+  int n_rim, n_inner;
+};
+// How many inner nodes a rim may hold: all that differ in use, within a start-up of some milliseconds.
+constexpr std::array<Family, 5> kFamilies{{{4, 4}, {6, 4}, {8, 4}, {10, 3}, {12, 2}}};
+
+using Polygons = std::vector<std::vector<std::uint8_t>>;
+
+std::array<std::uint8_t, TemplateTable::kMaxRim> rim_quads(const Template& t) {
+  std::array<std::uint8_t, TemplateTable::kMaxRim> n{};
+  for (int q = 0; q < t.n_quads; ++q)
+    for (const std::uint8_t v : t.quads[q])
+      if (v < t.n_rim) ++n[v];
+  return n;
+}
+
+}  // namespace
+
+class TemplateMaker {
+ public:
+  TemplateMaker(int n_rim, int n_inner) : n_rim_(n_rim), n_inner_(n_inner) {}
+
+  std::vector<Template> make() {
+    way_.n_rim = static_cast<std::uint8_t>(n_rim_);
+    std::vector<std::uint8_t> rim;
+    for (int i = 0; i < n_rim_; ++i) {
+      rim.push_back(static_cast<std::uint8_t>(i));
+      join(i, (i + 1) % n_rim_, true);
+    }
+    Polygons open{rim};
+    fill(open);
+    return std::move(made_);
+  }
+
+ private:
+  static constexpr int kMostNodes = TemplateTable::kMaxRim + 4;
+
+  void join(int a, int b, bool on) { joined_[a][b] = joined_[b][a] = on; }
+  int most_quads(int v) const { return v < n_rim_ ? TemplateTable::kMaxRimQuads : kMostInnerQuads; }
+
+  void finish() {
+    int irregular = 0;
+    for (int v = n_rim_; v < n_rim_ + way_.n_inner; ++v) {
+      if (quads_[v] < 3) return;
+      irregular += quads_[v] != 4;
+    }
+    if (irregular > kMostIrregular) return;
+    way_.inner_cost = static_cast<std::uint8_t>(irregular);
+    made_.push_back(way_);
+  }
+
+  void fill(Polygons& open) {
+    if (open.empty()) return finish();
+    const std::vector<std::uint8_t> p = std::move(open.back());
+    open.pop_back();
+    // The quad on the side p0 p1 has the corners p0 p1 x y; each of x and y is a node of the polygon or a new one.
+    const int n = static_cast<int>(p.size());
+    for (int i = 2; i <= n; i += 2)        // x = p[i]; n: new
+      for (int j = i == n ? 3 : i + 1; j <= n + 1; j += 2)  // y = p[j]; n + 1: new
+        choose(open, p, i, j == n + 1 ? n : j);
+    open.push_back(p);
+  }
+
+  void choose(Polygons& open, const std::vector<std::uint8_t>& p, int i, int j) {
+    const int n = static_cast<int>(p.size());
+    const bool new_x = i == n, new_y = j == n;
+    if (way_.n_inner + new_x + new_y > n_inner_ || way_.n_quads == Template::kMaxQuads) return;
+    const int fresh = n_rim_ + way_.n_inner;
+    const int x = new_x ? fresh : p[i], y = new_y ? fresh + new_x : p[j];
+    const int a = p[0], b = p[1];
+    const bool make_bx = i != 2, make_ya = j != n - 1, make_xy = new_x || new_y || j != i + 1;
+    if ((make_bx && joined_[b][x]) || (make_ya && joined_[y][a]) || (make_xy && joined_[x][y])) return;
+    for (const int v : {a, b, x, y})
+      if (quads_[v] == most_quads(v)) return;
+
+    const std::size_t n_open = open.size();
+    const auto u8 = [](int v) { return static_cast<std::uint8_t>(v); };
+    if (new_x && new_y) {
+      std::vector<std::uint8_t> rest{u8(a), u8(y), u8(x)};
+      rest.insert(rest.end(), p.begin() + 1, p.end());
+      open.push_back(std::move(rest));
+    } else {
+      const auto piece = [&](int from, int to, int extra) {
+        if (to - from + 1 + (extra >= 0) < 4) return;
+        std::vector<std::uint8_t> rest;
+        for (int k = from; k <= to; ++k) rest.push_back(k == n ? p[0] : p[k]);
+        if (extra >= 0) rest.push_back(u8(extra));
+        open.push_back(std::move(rest));
+      };
+      if (new_x) {
+        piece(1, j, x);
+        piece(j, n, -1);
+      } else if (new_y) {
+        piece(1, i, -1);
+        piece(i, n, y);
+      } else {
+        piece(1, i, -1);
+        piece(i, j, -1);
+        piece(j, n, -1);
+      }
+    }
+    way_.quads[way_.n_quads++] = {u8(a), u8(b), u8(x), u8(y)};
+    way_.n_inner = u8(way_.n_inner + new_x + new_y);
+    for (const int v : {a, b, x, y}) ++quads_[v];
+    if (make_bx) join(b, x, true);
+    if (make_ya) join(y, a, true);
+    if (make_xy) join(x, y, true);
+
+    Polygons rest = open;
+    fill(rest);
+
+    if (make_bx) join(b, x, false);
+    if (make_ya) join(y, a, false);
+    if (make_xy) join(x, y, false);
+    for (const int v : {a, b, x, y}) --quads_[v];
+    way_.n_inner = u8(way_.n_inner - new_x - new_y);
+    --way_.n_quads;
+    open.resize(n_open);
+  }
+
+  int n_rim_, n_inner_;
+  Template way_;
+  std::array<int, kMostNodes> quads_{};
+  std::array<std::array<bool, kMostNodes>, kMostNodes> joined_{};
+  std::vector<Template> made_;
+};
+
+TemplateTable::TemplateTable() {
+  branches_.push_back({});  // 0 means none
+  for (const Family& family : kFamilies) {
+    std::vector<Template> ways = TemplateMaker(family.n_rim, family.n_inner).make();
+    root_[family.n_rim] = static_cast<std::uint32_t>(branches_.size());
+    branches_.push_back({});
+    file(ways);
+  }
+}
+
+void TemplateTable::file(std::vector<Template>& ways) {
+  const auto key = [](const Template& t) { return std::make_tuple(rim_quads(t), t.inner_cost, t.n_quads, t.quads); };
+  std::sort(ways.begin(), ways.end(), [&](const Template& a, const Template& b) { return key(a) < key(b); });
+  for (const Template& t : ways) {
+    const auto rim = rim_quads(t);
+    std::uint32_t at = root_[t.n_rim];
+    for (int i = 0; i < t.n_rim; ++i) {
+      branches_[at].least_inner = std::min(branches_[at].least_inner, t.inner_cost);
+      std::uint32_t child = branches_[at].child[rim[i] - 1];
+      if (child == 0) {
+        child = static_cast<std::uint32_t>(branches_.size());
+        branches_[at].child[rim[i] - 1] = child;
+        branches_.push_back({});
+      }
+      at = child;
+    }
+    Branch& leaf = branches_[at];
+    if (leaf.n_ways == kWaysPerRim) continue;
+    if (leaf.n_ways++ == 0) leaf.way = static_cast<std::uint32_t>(templates_.size());
+    leaf.least_inner = std::min(leaf.least_inner, t.inner_cost);
+    templates_.push_back(t);
+  }
+}
+
+void TemplateTable::find(std::span<const RimCosts> costs, int limit, std::size_t most,
+                         std::vector<Match>& found) const {
+  found.clear();
+  if (costs.size() > kMaxRim || root_[costs.size()] == 0) return;
+  descend(costs, 0, root_[costs.size()], 0, limit, most, found);
+}
+
+void TemplateTable::descend(std::span<const RimCosts> costs, std::size_t depth, std::uint32_t branch, int cost,
+                            int& limit, std::size_t most, std::vector<Match>& found) const {
+  const Branch& at = branches_[branch];
+  if (cost + at.least_inner >= limit) return;
+  if (depth < costs.size()) {
+    for (int q = 1; q <= kMaxRimQuads; ++q)
+      if (const std::uint32_t child = at.child[q - 1]; child != 0)
+        descend(costs, depth + 1, child, cost + costs[depth][q], limit, most, found);
+    return;
+  }
+  for (std::uint32_t i = at.way; i < at.way + at.n_ways; ++i) {
+    const Match match{&templates_[i], cost + templates_[i].inner_cost};
+    if (match.cost >= limit) continue;
+    const auto place = std::upper_bound(found.begin(), found.end(), match,
+                                        [](const Match& a, const Match& b) { return a.cost < b.cost; });
+    found.insert(place, match);
+    if (found.size() > most) found.pop_back();
+    if (found.size() == most) limit = found.back().cost;
+  }
+}
+
+}  // namespace quadline::cleanup

@@ -1,0 +1,53 @@
+#include "stages/discretize/metric_length.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+// [BorouchakiGeorge1997] gives closed forms for a linear or geometric h between two ends. Here h comes from a field and
+// is sampled; the linear 1/h of a short interval needs no logarithm, so that every platform finds the same nodes.
+
+namespace quadline {
+
+MetricLength::MetricLength(const CurvePiece& piece, const SizeField& size) {
+  const double whole = length(piece);
+  const auto sample = [&](double s) { return Sample{s, size.at(point_at(piece, s)), 0}; };
+  std::vector<Sample> pending{sample(whole)};
+  samples_.push_back(sample(0));
+  // At least four intervals: a short curve between two coarse places may have a fine one between.
+  for (int i = 3; i >= 1; --i) pending.push_back(sample(0.25 * i * whole));
+  while (!pending.empty()) {
+    const Sample from = samples_.back(), to = pending.back();
+    const double step = to.s - from.s;
+    if (step > 0.5 * std::min(from.h, to.h) && step > 1e-12 * whole) {
+      pending.push_back(sample(from.s + 0.5 * step));
+      continue;
+    }
+    pending.pop_back();
+    samples_.push_back({to.s, to.h, from.metric + 0.5 * step * (1 / from.h + 1 / to.h)});
+  }
+  const double h = samples_.front().h;
+  is_uniform_ = std::all_of(samples_.begin(), samples_.end(), [&](const Sample& k) { return k.h == h; });
+  if (is_uniform_) samples_.back().metric = whole / h;
+}
+
+std::vector<double> MetricLength::places(std::uint32_t n) const {
+  std::vector<double> found;
+  found.reserve(n - 1);
+  std::size_t k = 1;
+  for (std::uint32_t i = 1; i < n; ++i) {
+    if (is_uniform_) {
+      found.push_back(samples_.back().s * i / n);
+      continue;
+    }
+    const double target = total() * i / n;
+    while (k + 1 < samples_.size() && samples_[k].metric < target) ++k;
+    const Sample &from = samples_[k - 1], &to = samples_[k];
+    // Invert metric(x) = a x + (b - a) x^2 / 2 on 0..1, with a and b the metric lengths at the rates of the two ends.
+    const double step = to.s - from.s, a = step / from.h, b = step / to.h, wanted = target - from.metric;
+    const double root = std::sqrt(std::max(0.0, a * a + 2 * (b - a) * wanted));
+    found.push_back(from.s + step * std::clamp(2 * wanted / (a + root), 0.0, 1.0));
+  }
+  return found;
+}
+
+}  // namespace quadline
