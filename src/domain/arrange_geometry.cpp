@@ -63,9 +63,7 @@ class Meetings {
       if (at > 0 && at < chord && on_arc_side(arc, p)) keep(p);
     };
     if (depth <= tolerance_) {
-      const Point outward = std::copysign(arc.radius, -off) * left_normal(along);
-      add(foot, arc.center - outward * Sign{off});
-      return;
+      return add(foot, arc.center - std::copysign(arc.radius, off) * left_normal(along));
     }
     const double half = std::sqrt(depth * (arc.radius + std::abs(off)));
     for (const double at : {foot - half, foot + half}) add(at, segment.a + at * along);
@@ -129,7 +127,10 @@ double distance_to(const CurvePiece& piece, Point p) {
     if (along >= norm2(chord)) return distance(p, piece.b);
     return std::abs(cross(chord, to)) / norm(chord);
   }
-  return distance(p, point_at(piece, project(piece, p)));
+  const Point spoke = p - piece.center;
+  const double off = norm(spoke);
+  if (off > 0 && on_arc_side(piece, piece.center + (piece.radius / off) * spoke)) return std::abs(off - piece.radius);
+  return std::min(distance(p, piece.a), distance(p, piece.b));
 }
 
 double twice_area_under(const CurvePiece& piece, Point origin) {

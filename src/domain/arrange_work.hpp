@@ -75,7 +75,7 @@ void resolve(Work& work, Context& context);
 /// one touch. @pre no end of one lies within the tolerance of the other, but for shared ones.
 std::vector<Point> meetings(const Piece& p, const Piece& q, double tolerance);
 
-/// Distance of p from the nearest point of the piece.
+/// Distance of p from the nearest point of the piece; an arc makes at most half a turn.
 double distance_to(const CurvePiece& piece, Point p);
 
 /// Twice the signed area that the line from `origin` sweeps as its other end goes along the piece.

@@ -49,7 +49,6 @@ class Trial {
   void add_ring();
   void make_stars();
   std::uint32_t local(NodeId v);
-  void measure(std::span<const Quad> quads, std::span<const Node> nodes, PatchQuality& sum, int& n) const;
 
   const WorkMesh& mesh_;
   const IdVector<NodeId, double>& size_;
@@ -65,6 +64,10 @@ class Trial {
   };
   std::vector<StarEntry> star_;
   std::vector<StarQuad> star_quads_;
+  struct Slot {
+    std::uint32_t mark = 0, index = 0;
+  };
+  IdVector<NodeId, Slot> slot_;
   IdVector<FaceId, std::uint32_t> face_mark_;
   std::uint32_t mark_ = 0;
 };

@@ -121,13 +121,13 @@ WorkMesh notch(double half_angle, double right_length) {
       {{0, 0},
        {r * s, r * c},
        {-s, c},
-       {1.5, 0.2},
+       {3, 0.2},
        {0, -1},
        {-1.5, 0.2},
        {0, top},
-       {2.5, top},
+       {3.4, r * c + 0.3},
        {-1.6, top},
-       {1.6, -1},
+       {3, -1},
        {-1.6, -1}},
       {{0, 4, 9, 3}, {0, 3, 7, 1}, {0, 2, 8, 5}, {0, 5, 10, 4}, {0, 1, 2}, {1, 6, 2}, {1, 7, 6}, {2, 6, 8}},
       {{4, 9}, {9, 3}, {3, 7}, {7, 6}, {6, 8}, {8, 5}, {5, 10}, {10, 4}});
@@ -169,7 +169,7 @@ TEST_F(MorphTest, TransitionSeamSplitsTheLongEdge) {
 }
 
 TEST_F(MorphTest, TransitionSplitMakesTwoQuadsAndATriangle) {
-  WorkMesh mesh = notch(50 * kPi / 180, 2.7);
+  WorkMesh mesh = notch(40 * kPi / 180, 2.7);
   Morph morph(mesh, size_);
   const Corner corner = corner_before(mesh, mesh.topo().find(NodeId(0), NodeId(1)));
   ASSERT_NE(corner.quads, 0);
@@ -181,7 +181,7 @@ TEST_F(MorphTest, TransitionSplitMakesTwoQuadsAndATriangle) {
 }
 
 TEST_F(MorphTest, NoTransitionBetweenEdgesOfSimilarLength) {
-  WorkMesh mesh = notch(50 * kPi / 180, 1.5);
+  WorkMesh mesh = notch(40 * kPi / 180, 1.5);
   Morph morph(mesh, size_);
   EXPECT_FALSE(morph.transition(corner_before(mesh, mesh.topo().find(NodeId(0), NodeId(1)))));
   EXPECT_EQ(mesh.topo().node_count(), 11u);

@@ -1,0 +1,94 @@
+#include "io/names.hpp"
+
+#include <algorithm>
+
+namespace quadline {
+namespace {
+
+constexpr std::size_t kLongestName = 80;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// Length of the UTF-8 character at the start of a text, 0 where there is none (RFC 3629).
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t n = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < n) return 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (!is_continuation(text[i])) return 0;
+  // The second byte rules out overlong forms, surrogates and what lies beyond U+10FFFF.
+  if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F)) return 0;
+  if ((lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F)) return 0;
+  return n;
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
+}  // namespace
+
+std::string printable(std::string_view name) {
+  std::string out;
+  while (!name.empty()) {
+    const std::size_t n = utf8_length(name);
+    if (n == 0 || is_control(name[0])) {
+      out += '_';
+    } else {
+      out += name.substr(0, n);
+    }
+    name.remove_prefix(std::max<std::size_t>(n, 1));
+  }
+  return out;
+}
+
+std::string SetNames::make(std::string_view wanted) {
+  std::string name;
+  for (const char c : wanted) {
+    if (is_continuation(c)) continue;  // one '_' for each character, not for each byte
+    name += is_letter(c) || is_digit(c) || c == '-' ? c : '_';
+  }
+  if (name.empty() || !is_letter(name[0])) name.insert(0, "S_");
+  name.resize(std::min(name.size(), kLongestName));
+
+  const auto lower = [](std::string text) {
+    for (char& c : text)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+  };
+  std::string made = name;
+  for (int count = 2;; ++count) {
+    const std::string key = lower(made);
+    const auto at = std::lower_bound(taken_.begin(), taken_.end(), key);
+    if (at == taken_.end() || *at != key) {
+      taken_.insert(at, key);
+      return made;
+    }
+    const std::string ending = "_" + std::to_string(count);
+    made = name.substr(0, kLongestName - ending.size()) + ending;
+  }
+}
+
+std::string json_string(std::string_view name) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string out = "\"";
+  while (!name.empty()) {
+    const std::size_t n = utf8_length(name);
+    if (n == 0) {
+      out += "\\ufffd";
+    } else if (is_control(name[0])) {
+      out += "\\u00";
+      out += kHex[name[0] >> 4];
+      out += kHex[name[0] & 15];
+    } else {
+      if (name[0] == '"' || name[0] == '\\') out += '\\';
+      out += name.substr(0, n);
+    }
+    name.remove_prefix(std::max<std::size_t>(n, 1));
+  }
+  return out + '"';
+}
+
+}  // namespace quadline
