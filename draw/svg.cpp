@@ -239,7 +239,7 @@ std::string to_svg(const Mesh& mesh) {
   out += ">\n<rect x=\"-10%\" y=\"-10%\" width=\"120%\" height=\"120%\" fill=\"#ffffff\"/>\n";
   draw_elements(mesh, view, out);
   draw_curves(mesh, view, false, "#1040a0", 1.8, out);
-  draw_curves(mesh, view, true, "#e00000", 2.6, out);
+  draw_curves(mesh, view, true, "#7000b0", 2.6, out);
   draw_points(mesh, view, out);
   draw_legend(mesh, view, out);
   return out += "</svg>\n";

@@ -58,16 +58,12 @@ std::string SetNames::make(std::string_view wanted) {
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return text;
   };
-  std::string made = name;
-  for (int count = 2;; ++count) {
-    const std::string key = lower(made);
-    const auto at = std::lower_bound(taken_.begin(), taken_.end(), key);
-    if (at == taken_.end() || *at != key) {
-      taken_.insert(at, key);
-      return made;
-    }
-    const std::string ending = "_" + std::to_string(count);
-    made = name.substr(0, kLongestName - ending.size()) + ending;
+  int& times_wanted = taken_[lower(name)];
+  if (++times_wanted == 1) return name;
+  for (;; ++times_wanted) {
+    const std::string ending = "_" + std::to_string(times_wanted);
+    const std::string made = name.substr(0, kLongestName - ending.size()) + ending;
+    if (taken_.try_emplace(lower(made), 1).second) return made;
   }
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace quadline {
 
@@ -18,7 +17,7 @@ class SetNames {
   std::string make(std::string_view wanted);
 
  private:
-  std::vector<std::string> taken_;  ///< lower case, sorted
+  std::map<std::string, int> taken_;  ///< lower case; how often it was wanted
 };
 
 /// The name as JSON text, in quotes.

@@ -24,6 +24,7 @@ struct Block {
   std::vector<std::uint32_t> sets;  ///< indices of ElementSet
   std::vector<std::uint32_t> ids;   ///< from 1
   std::string nodes;                ///< the lines of the card
+  bool is_line = false;
 };
 
 struct ElementSet {
@@ -104,8 +105,8 @@ void Writer::add_faces() {
   for (const auto& name : names_.regions) sets_.push_back({name, {}});
   std::vector<Block> quads, triangles;
   for (std::uint32_t r = 0; r < n_regions; ++r) {
-    quads.push_back({"S4", {r}, {}, {}});
-    triangles.push_back({"S3", {r}, {}, {}});
+    quads.push_back({"S4", {r}, {}, {}, false});
+    triangles.push_back({"S3", {r}, {}, {}, false});
   }
   for (std::size_t i = 0; i < mesh_.quads.size(); ++i) {
     Block& block = quads[mesh_.quad_region[i]];
@@ -130,7 +131,7 @@ void Writer::add_lines() {
   const auto first_set = static_cast<std::uint32_t>(sets_.size());
   for (const auto& name : names_.curves) sets_.push_back({name, {}});
   for (const EdgeGroup& group : edge_groups(mesh_, true)) {
-    Block block{"B31", {}, {}, {}};
+    Block block{"B31", {}, {}, {}, true};
     for (const std::uint32_t curve : group.curves) block.sets.push_back(first_set + curve);
     for (const auto& edge : group.edges) {
       block.ids.push_back(++n_elements_);
@@ -183,11 +184,12 @@ void Writer::write_nodes() {
 }
 
 void Writer::write_elements() {
+  int n_parts = 0;
   for (Block& block : blocks_) {
     ElementSet& first = sets_[block.sets[0]];
-    const bool is_whole_set = block.sets.size() == 1 && first.blocks.size() == 1;
-    const std::string name = is_whole_set ? first.name : names_.all.make(first.name + "_part");
-    if (is_whole_set) first.blocks.clear();  // written
+    const bool is_part = block.is_line && (block.sets.size() > 1 || first.blocks.size() > 1);
+    const std::string name = is_part ? names_.all.make("QUADLINE_PART_" + std::to_string(++n_parts)) : first.name;
+    if (!is_part) first.blocks.clear();  // written
     out_ += std::string("*ELEMENT, TYPE=") + block.type + ", ELSET=" + name + '\n' + block.nodes;
     block.nodes = {};
   }

@@ -23,6 +23,8 @@ constexpr double kRelativeTolerance = 1e-7;
 constexpr double kUnitsInTolerance = 0x1p-48;
 // An arc this much flatter than the tolerance is straight; its centre could not be computed.
 constexpr double kFlatArc = 1.0 / 16;
+// An arc of more than half a turn that is so many times larger than the domain is a mistake.
+constexpr double kFarArc = 100;
 // Arcs of more than this turn are halved; some way from a half turn, so that rounding does not matter.
 constexpr double kHalfTurn = 3.0;
 
@@ -232,10 +234,16 @@ class Reader {
       fail("an arc ends where it starts: give a circle, or two arcs", place, a);
     }
     if (distance_to(chord, via) <= flat) return chord;
+    if (std::min(distance(a, via), distance(b, via)) <= work_.tolerance) {
+      work_.findings.push_back({"an arc's middle point lies at its end: taken as straight", place, via});
+      return chord;
+    }
     const CurvePiece arc = arc_through(a, via, b);
-    if (arc.is_arc() && arc.radius <= norm2(work_.box.hi - work_.box.lo) / flat) return arc;
-    work_.findings.push_back({"an arc's middle point lies on the straight line through its ends: taken as straight", place, a});
-    return chord;
+    const double diagonal = distance(work_.box.lo, work_.box.hi);
+    if (!arc.is_arc() || (std::abs(arc.sweep) > kHalfTurn && arc.radius > kFarArc * diagonal)) {
+      fail("the middle point of an arc lies in line with its ends, but not between them", place, via);
+    }
+    return arc;
   }
 
   Work work_;

@@ -155,7 +155,9 @@ class Resolver {
         if (becomes[use.curve.value].curve.valid()) continue;
         if (dropped++ == 0) at = work_.pieces[use.curve].curve.a;
       }
-      if (dropped > 0 && dropped < route.uses.size()) {
+      if (dropped == route.uses.size()) {
+        work_.findings.push_back({"'" + route.name + "' has no length: dropped", route.where, at});
+      } else if (dropped > 0) {
         const std::string what = std::to_string(dropped) + (dropped == 1 ? " repeated point" : " repeated points");
         work_.findings.push_back({"'" + route.name + "' has " + what + ": dropped", route.where, at});
       }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/id.hpp"
 #include "domain/domain.hpp"
 #include "geom/curve.hpp"
@@ -11,8 +12,9 @@
 #include "quadline/model.hpp"
 #include "quadline/options.hpp"
 #include "quadline/report.hpp"
+#include "search/box_tree.hpp"
 
-/// The steps of `arrange`, private to it: read_input, resolve, subdivide, to_domain, in this order.
+/// The steps of `arrange`, private to it: read_input, resolve, subdivide, classify, to_domain, in this order.
 namespace quadline::arrangement {
 
 /// Who keeps its place when vertices merge: the first of these.
@@ -24,15 +26,15 @@ enum class Rank : std::uint8_t {
 };
 
 struct Vertex {
-  Point at;
+  Point at{};
   Rank rank = Rank::Crossing;
   bool checked = false;  ///< against the pieces near it
 };
 
 /// A piece of curve between two vertices; an arc makes at most half a turn.
 struct Piece {
-  VertexId tail, head;
-  CurvePiece curve;
+  VertexId tail{}, head{};
+  CurvePiece curve{};
   std::uint32_t origin = 0;     ///< the step of a path it was cut from
   bool checked_near = false;    ///< against the vertices near it
   bool checked_across = false;  ///< against the pieces that may cross it
@@ -40,24 +42,24 @@ struct Piece {
 
 /// What a path of the model has become so far.
 struct Route {
-  std::string name;
+  std::string name{};
   CurveKind kind = CurveKind::Line;
-  std::string where;
+  std::string where{};
   double size = 0;                  ///< infinity: none
   double area = 0;                  ///< loops: signed, as given
-  std::vector<DirectedCurve> uses;  ///< pieces in order
+  std::vector<DirectedCurve> uses{};  ///< pieces in order
 };
 
 struct Work {
   const Model& model;
   double size = 0;
   double tolerance = 0;
-  Box box;  ///< of the outer loops
-  IdVector<VertexId, Vertex> vertices;
-  IdVector<CurveId, Piece> pieces;
-  std::vector<Route> routes;           ///< outer loops, holes, lines, in the order of the model
-  std::vector<VertexId> point_vertex;  ///< of every point of the model
-  std::vector<Finding> findings;
+  Box box{};  ///< of the outer loops
+  IdVector<VertexId, Vertex> vertices{};
+  IdVector<CurveId, Piece> pieces{};
+  std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model
+  std::vector<VertexId> point_vertex{};  ///< of every point of the model
+  std::vector<Finding> findings{};
 
   Where where(std::string place, Point at) const {
     return {.file = model.file, .place = std::move(place), .point = at};
@@ -81,43 +83,70 @@ double distance_to(const CurvePiece& piece, Point p);
 /// Twice the signed area that the line from `origin` sweeps as its other end goes along the piece.
 double twice_area_under(const CurvePiece& piece, Point origin);
 
-/// A connected set of points of the plane without curves.
-struct Face {
-  std::vector<std::uint32_t> walks;  ///< the outer one first; the unbounded face has none
-  bool has_outer_walk = false;
-  bool inside = false;  ///< part of the domain
-};
-
 /// Half-edges are numbered: 2 * piece, and + 1 for the way back.
-struct Subdivision {
-  std::vector<std::vector<std::uint32_t>> walks;  ///< half-edges with the face on their left
-  std::vector<std::uint32_t> walk_of;             ///< walk of a half-edge
-  std::vector<std::uint32_t> face_of;             ///< face of a walk
-  std::vector<Face> faces;                        ///< 0: the unbounded one
+using Half = std::uint32_t;
+constexpr Half kNoHalf = UINT32_MAX;
 
-  std::uint32_t face_at(std::uint32_t half) const { return face_of[walk_of[half]]; }
-};
+inline CurveId piece_of(Half half) { return CurveId(half / 2); }
+inline bool is_reversed(Half half) { return half % 2 == 1; }
+inline VertexId tail_of(const Work& work, Half half) {
+  const Piece& piece = work.pieces[piece_of(half)];
+  return is_reversed(half) ? piece.head : piece.tail;
+}
 
-/// Walks, faces and which of them are inside: one outer loop more round them than holes.
-/// @pre resolve(work) is done. @throws InputError where loops overlap, cross themselves, or lie outside.
-Subdivision subdivide(Work& work, Context& context);
+/// For every half-edge the one that follows it round the face on its left.
+std::vector<Half> next_halves(const Work& work);
 
-/// Half-edges of pieces that start at each vertex, counter-clockwise.
-IdVector<VertexId, std::vector<std::uint32_t>> stars(const Work& work);
-
-/// Face that holds a point. A point on a piece gets a face beside it.
-class FaceFinder {
+/// Finds what lies below a point, for some meaning of "below": one of kDirections slanted ones, in general position to
+/// the directions that models prefer.
+class RayCaster {
  public:
-  FaceFinder(const Work& work, const Subdivision& parts);
-  std::uint32_t face_at(Point p) const;
+  static constexpr unsigned kDirections = 8;
+
+  /// @param component  of every piece.
+  RayCaster(const Work& work, const std::vector<std::uint32_t>& component);
+
+  struct Hit {
+    Half half = kNoHalf;   ///< on the side that the ray comes from; kNoHalf: nothing is below
+    bool is_clear = true;  ///< false: too near to an end of a piece to be sure
+  };
+  /// @param skip  the component that the ray starts on, if any.
+  Hit cast(Point from, unsigned direction, std::uint32_t skip = UINT32_MAX) const;
+
+  static Point direction(unsigned k);
 
  private:
   const Work& work_;
-  const Subdivision& parts_;
-  RayCaster rays_;
+  const std::vector<std::uint32_t>& component_;
+  BoxTree tree_;
+  double margin_;
 };
 
-/// The domain, with names, sizes and findings.
+/// A connected part of the plane between the curves.
+struct Face {
+  std::vector<std::uint32_t> walks{};  ///< the outer one first, but for face 0, the unbounded one
+  int outer = 0, holes = 0;          ///< how many outer loops and holes are round it
+  bool is_inside() const { return outer - holes == 1; }
+};
+
+struct Subdivision {
+  std::vector<std::vector<Half>> walks;    ///< with the face on their left
+  std::vector<std::uint32_t> walk_of;      ///< of every half-edge
+  std::vector<std::uint32_t> face_of;      ///< of every walk
+  std::vector<std::uint32_t> component_of; ///< connected component of every piece
+  std::vector<Face> faces;
+
+  std::uint32_t face_at(Half half) const { return face_of[walk_of[half]]; }
+  bool is_inside(Half half) const { return faces[face_at(half)].is_inside(); }
+};
+
+/// Walks and faces. @pre resolve(work) is done. @throws InputError where curves cannot be told apart.
+Subdivision subdivide(const Work& work);
+
+/// Counts the loops round every face. @throws InputError where loops overlap, cross themselves, or lie outside.
+void classify(Work& work, Subdivision& parts);
+
+/// The domain: what lies inside, with names, sizes and findings.
 Domain to_domain(Work& work, const Subdivision& parts);
 
 }  // namespace quadline::arrangement

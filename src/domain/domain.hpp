@@ -24,10 +24,10 @@ struct Domain {
     Point at;
   };
   struct Curve {
-    VertexId tail, head;  ///< differ always
-    CurvePiece piece;     ///< from tail to head
-    CellId left, right;   ///< invalid: outside the domain
-    double size;          ///< target edge length from lines along it, model units; infinity: none
+    VertexId tail{}, head{};  ///< differ always
+    CurvePiece piece{};       ///< from tail to head
+    CellId left{}, right{};   ///< invalid: outside the domain
+    double size = 0;          ///< target edge length from lines along it, model units; infinity: none
     bool is_boundary() const { return left.valid() != right.valid(); }
   };
   /// A connected piece of the domain, bounded by closed walks of curves with the cell on their left. A line that ends

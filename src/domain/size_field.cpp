@@ -2,19 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <utility>
+
+#include "domain/size_locate.hpp"
+#include "domain/size_sources.hpp"
+#include "domain/size_tree.hpp"
 
 namespace quadline {
+namespace {
 
-std::uint32_t SizeField::least_edges(const CurvePiece& piece) const {
-  if (!piece.is_arc()) return 1;
-  const double turns = std::abs(piece.sweep) / (2 * std::numbers::pi);
-  return std::max(1u, static_cast<std::uint32_t>(std::ceil(8 * turns - 1e-6)));
-}
+constexpr double kNone = std::numeric_limits<double>::infinity();
 
-SizeField make_size_field(const Domain& domain, const Options&, Context&) {
+}  // namespace
+
+SizeField make_size_field(const Domain& domain, const Options& options, Context& context) {
+  context.progress("sizes", 0);
+  double largest = 0, least = kNone;
+  for (const Domain::Cell& cell : domain.cells) {
+    largest = std::max(largest, cell.size);
+    least = std::min(least, cell.size);
+  }
+  std::vector<SizeSource> sources;
+  CurveAsks asks = ask_curves(domain, options);
+  for (std::size_t i = 0; i < domain.curves.count(); ++i) {
+    const Domain::Curve& c = domain.curves[CurveId(i)];
+    const bool is_border = least < largest && (!c.left.valid() || !c.right.valid() ||
+                                               domain.cells[c.left].size != domain.cells[c.right].size);
+    if (is_border || asks.sizes[CurveId(i)] < base_size(domain, c))
+      append_sources(c.piece, 0, length(c.piece), asks.sizes[CurveId(i)], is_border, sources);
+  }
+  for (const Domain::PointUse& p : domain.points)
+    if (p.size < largest) sources.push_back({domain.vertices[p.vertex].at, domain.vertices[p.vertex].at, p.size});
+  append_gaps(domain, asks.sizes, sources);
+  context.progress("sizes", 0.5);
+
+  const CellLocator cells(domain);
+  SizeTree tree(domain.box, sources, [&](Point p) {
+    if (least == largest) return largest;
+    const CellId cell = cells.at(p);
+    return cell.valid() ? domain.cells[cell].size : largest;
+  });
+  tree.grade(std::log(options.growth));
   SizeField field;
-  field.size_ = domain.size;
+  field.least_edges_ = std::move(asks.least_edges);
+  tree.write(field);
+  context.progress("sizes", 1);
   return field;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,21 +11,57 @@
 
 namespace quadline {
 
-/// Target edge length h over the plane, graded: |h(p) - h(q)| <= g |p - q|.
+/// Target edge length h over the plane, graded: |h(p) - h(q)| <= g |p - q| with g = ln(growth), so that the lengths of
+/// neighbouring edges along a line differ by at most the factor `growth` [BorouchakiGeorge1997, Persson2006].
+///
+/// A balanced quadtree over the domain with sizes at the corners of its leaves, bilinear inside a leaf. Where one size
+/// holds all over the domain the tree is one leaf, and the answer is exactly that size. Scaling the model by a power
+/// of two scales the answers by it, bit for bit.
 class SizeField {
  public:
-  /// Target edge length at p, model units, > 0. O(log n).
-  double at(Point) const { return size_; }
+  /// Target edge length at p, model units, > 0; outside the domain's box that of the nearest place in it. O(log n).
+  double at(Point p) const {
+    const double u = std::clamp((p.x - origin_.x) * per_side_, 0.0, 1.0);
+    const double v = std::clamp((p.y - origin_.y) * per_side_, 0.0, 1.0);
+    const std::uint32_t x = std::min(static_cast<std::uint32_t>(u * kLattice), kLattice - 1);
+    const std::uint32_t y = std::min(static_cast<std::uint32_t>(v * kLattice), kLattice - 1);
+    std::uint32_t node = 0;
+    int bit = kMaxDepth;
+    while (!(nodes_[node] & kLeaf)) {
+      --bit;
+      node = nodes_[node] + ((x >> bit) & 1) + 2 * ((y >> bit) & 1);
+    }
+    const double leaves = static_cast<double>(1u << (kMaxDepth - bit));
+    const double fx = u * leaves - (x >> bit), fy = v * leaves - (y >> bit);
+    const std::array<double, 4>& h = corners_[nodes_[node] & ~kLeaf];
+    return h[0] + fx * (h[1] - h[0]) + fy * (h[2] - h[0]) + fx * fy * (h[3] - h[2] - h[1] + h[0]);
+  }
 
-  /// The least number of edges that shows the bend of a piece: 1 where it is straight.
-  std::uint32_t least_edges(const CurvePiece& piece) const;
+  /// The least number of edges that shows the bend of a curve of the domain: 1 where it is straight.
+  std::uint32_t least_edges(CurveId c) const { return least_edges_[c]; }
+
+  std::size_t leaf_count() const { return corners_.size(); }
 
  private:
+  friend class SizeTree;
   friend SizeField make_size_field(const Domain& domain, const Options& options, Context& context);
-  double size_ = 0;
+
+  static constexpr int kMaxDepth = 26;
+  static constexpr std::uint32_t kLattice = 1u << kMaxDepth;  ///< leaves of that depth along a side of the root
+  static constexpr std::uint32_t kLeaf = 1u << 31;
+
+  Point origin_;                               ///< lower left corner of the root
+  double per_side_ = 0;                        ///< 1 / side of the root
+  IdVector<CurveId, std::uint32_t> least_edges_;
+  std::vector<std::uint32_t> nodes_;           ///< first of four children, or kLeaf | index into `corners_`
+  std::vector<std::array<double, 4>> corners_;  ///< sizes at lower left, lower right, upper left, upper right
 };
 
-/// Size field from the sizes of the model, lines, points and regions, from the curvature and the gaps of the domain.
+/// Size field from the sizes of the model, lines, points and regions, from the bends, the gaps and the short curves of
+/// the domain. See docs/sizing.md for what each asks.
+///
+/// @throws Cancelled when `context` asks for it.
+/// Cost O(n log n) for n edges along the curves.
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context);
 
 }  // namespace quadline

@@ -43,7 +43,7 @@ CurvePiece arc_through(Point a, Point via, Point b) {
   if (!std::isfinite(radius) || !std::isfinite(center.x) || !std::isfinite(center.y)) return straight;
   // The angle at `via` sees the chord from the circle: the turn is twice what it lacks to a half turn.
   const double sweep = 2 * std::atan2(std::abs(area), -dot(u, v));
-  return {.a = a, .b = b, .center = center, .radius = radius, .sweep = area < 0 ? -sweep : sweep};
+  return {.a = a, .b = b, .center = center, .radius = radius, .sweep = area < 0 ? sweep : -sweep};
 }
 
 CurvePiece reversed(const CurvePiece& piece) {

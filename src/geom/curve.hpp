@@ -10,8 +10,8 @@ struct Box {
 
 /// A straight segment, or a circular arc of less than a full turn. A place on it is the arc length `s` from `a`.
 struct CurvePiece {
-  Point a, b;
-  Point center;       ///< arcs only
+  Point a{}, b{};
+  Point center{};     ///< arcs only
   double radius = 0;  ///< arcs only
   double sweep = 0;   ///< signed turn from a to b in radians, positive counter-clockwise; 0: straight
 

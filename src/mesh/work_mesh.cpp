@@ -50,6 +50,11 @@ void WorkMesh::swap_edge(EdgeId e) {
 
 NodeId WorkMesh::split_edge(EdgeId e, Point p, const NodeTag& tag) {
   const NodeId v = add_node(p, tag);
+  split_edge(e, v);
+  return v;
+}
+
+void WorkMesh::split_edge(EdgeId e, NodeId v) {
   const FaceId left = topo_.face(half_of(e, 0)), right = topo_.face(half_of(e, 1));
   const EdgeId rest = topo_.split_edge(e, v);
   fit();
@@ -59,16 +64,19 @@ NodeId WorkMesh::split_edge(EdgeId e, Point p, const NodeTag& tag) {
   topo_.for_each_out(v, [&](HalfId h) {
     if (edge_of(h) != e && edge_of(h) != rest) curve_[edge_of(h)] = CurveId();
   });
-  return v;
 }
 
 NodeId WorkMesh::split_face(FaceId f, Point p, const NodeTag& tag) {
   const NodeId v = add_node(p, tag);
+  split_face(f, v);
+  return v;
+}
+
+void WorkMesh::split_face(FaceId f, NodeId v) {
   const auto [g, k] = topo_.split_face(f, v);
   fit();
   cell_[g] = cell_[k] = cell_[f];
   topo_.for_each_out(v, [&](HalfId h) { curve_[edge_of(h)] = CurveId(); });
-  return v;
 }
 
 void WorkMesh::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,

@@ -87,7 +87,9 @@ class WorkMesh {
   void swap_edge(EdgeId e);
   /// Splits an edge at p; where it is a constraint the tag says where on the curve the new node lies.
   NodeId split_edge(EdgeId e, Point p, const NodeTag& tag = {});
+  void split_edge(EdgeId e, NodeId v);                            ///< the same at an isolated node
   NodeId split_face(FaceId f, Point p, const NodeTag& tag = {});  ///< a triangle into three
+  void split_face(FaceId f, NodeId v);                            ///< the same at an isolated node
   /// See Topology::replace_cavity; the new faces get the cell of the first old one, which all must share.
   void replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons, std::vector<FaceId>& made);
 

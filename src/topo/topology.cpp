@@ -127,14 +127,27 @@ void Topology::build(std::size_t n_nodes, std::span<const Polygon> polygons) {
     link(before, first);
     first_[f] = first;
   }
+  // The outside: a node has one ring, so where several fans of faces meet in it, each is followed by the next.
+  struct Fans {
+    HalfId first_in, last_out;
+  };
+  IdVector<NodeId, Fans> fans(n_nodes);
   for (std::size_t i = 0; i < half_.count(); ++i) {
     const HalfId h(i);
     if (half_[h].face.valid()) continue;
-    HalfId g = twin(h);  // turns round the head of h, through faces, to the next half-edge of the outside
-    while (half_[g].face.valid()) g = twin(half_[g].prev);
-    link(h, g);
     if (!out_[half_[h].tail].valid()) out_[half_[h].tail] = h;
+    HalfId g = twin(h);  // turns round the head of h, through the faces of its fan
+    while (half_[g].face.valid()) g = twin(half_[g].prev);
+    Fans& at = fans[head(h)];
+    if (at.last_out.valid()) {
+      link(h, at.last_out);
+    } else {
+      at.first_in = h;
+    }
+    at.last_out = g;
   }
+  for (const Fans& at : fans)
+    if (at.first_in.valid()) link(at.first_in, at.last_out);
 }
 
 std::array<FaceId, 2> Topology::split_face(FaceId f, NodeId v) {

@@ -90,7 +90,8 @@ class Topology {
   NodeId add_node();
   void remove_node(NodeId v);  ///< isolated nodes only
 
-  /// Makes the mesh of `polygons` over `n_nodes` nodes; whatever was there is gone.
+  /// Makes the mesh of `polygons` over `n_nodes` nodes; whatever was there is gone. Faces may meet in a node only; where
+  /// three or more fans do, their order round it need not be that of the plane.
   void build(std::size_t n_nodes, std::span<const Polygon> polygons);
 
   /// Triangle into three, round `v` (isolated). Slot f stays one of them; returns the two new faces.

@@ -25,8 +25,8 @@ struct Cavity {
 
 /// What shall stand in the place of a cavity.
 struct Replacement {
-  std::vector<NodeId> inner;                  ///< nodes inside that stay; invalid: new
-  std::vector<std::array<std::uint8_t, 4>> quads;  ///< 0 .. n_rim-1: the rim; then `inner`
+  std::vector<NodeId> inner;                       ///< nodes inside that stay; invalid: new
+  std::vector<std::array<std::uint16_t, 4>> quads;  ///< 0 .. n_rim-1: the rim; then `inner`
 };
 
 /// Collects cavities; keeps the marks that this needs.

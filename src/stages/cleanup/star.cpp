@@ -9,8 +9,8 @@ namespace quadline::cleanup {
 
 namespace {
 
-constexpr double kFlat = 0.02;        // corner area, relative to the squares of the sides, below which e > 0
-constexpr double kSoftening = 0.1;    // e, in the same unit
+constexpr double kFlat = 0.02;      // corner area, relative to the squares of the sides, below which e > 0
+constexpr double kSoftening = 0.1;  // e, in the same unit
 constexpr int kHalvings = 4;
 
 struct Corner {
@@ -23,7 +23,9 @@ struct Corner {
 struct Corners {
   Corner own, next, previous;
   Corners(Point p, const StarQuad& q)
-      : own{q.next - p, q.previous - p}, next{q.opposite - q.next, p - q.next}, previous{p - q.previous, q.opposite - q.previous} {}
+      : own{q.next - p, q.previous - p},
+        next{q.opposite - q.next, p - q.next},
+        previous{p - q.previous, q.opposite - q.previous} {}
 };
 
 double chi(double area, double e2) { return e2 == 0 ? area : 0.5 * (area + std::sqrt(area * area + e2)); }

@@ -1,5 +1,5 @@
-// Small quadrangulations of a disk [Reberol2021]: the quad on the first side of an open polygon is chosen in all ways, and
-// what remains is one to three smaller polygons; every quadrangulation comes out once for each rotation of its rim.
+// Small quadrangulations of a disk [Reberol2021]: the quad on the first side of an open polygon is chosen in all ways,
+// and what remains is one to three smaller polygons; every quadrangulation comes out once for each rotation of its rim.
 #include "stages/cleanup/templates.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@ namespace quadline::cleanup {
 
 namespace {
 
-constexpr int kMostInnerQuads = 5;     // valences 3 to 5 inside
-constexpr int kMostIrregular = 2;      // inner nodes of three or five quads
-constexpr int kWaysPerRim = 2;         // templates kept of those that do the same to the rim
+constexpr int kMostInnerQuads = 5;  // valences 3 to 5 inside
+constexpr int kMostIrregular = 2;   // inner nodes of three or five quads
+constexpr int kWaysPerRim = 2;      // templates kept of those that do the same to the rim
 struct Family {
   int n_rim, n_inner;
 };
@@ -69,7 +69,7 @@ class TemplateMaker {
     open.pop_back();
     // The quad on the side p0 p1 has the corners p0 p1 x y; each of x and y is a node of the polygon or a new one.
     const int n = static_cast<int>(p.size());
-    for (int i = 2; i <= n; i += 2)        // x = p[i]; n: new
+    for (int i = 2; i <= n; i += 2)                         // x = p[i]; n: new
       for (int j = i == n ? 3 : i + 1; j <= n + 1; j += 2)  // y = p[j]; n + 1: new
         choose(open, p, i, j == n + 1 ? n : j);
     open.push_back(p);

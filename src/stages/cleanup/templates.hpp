@@ -15,8 +15,8 @@ struct Template {
   std::array<std::array<std::uint8_t, 4>, kMaxQuads> quads{};
 };
 
-/// All quadrangulations of small disks with inner nodes of three to five quads: up to six quads' rim with the most inner
-/// nodes, made by recursion, found by what they do to the rim.
+/// All quadrangulations of small disks with inner nodes of three to five quads: up to six quads' rim with the most
+/// inner nodes, made by recursion, found by what they do to the rim.
 ///
 /// Source: the cavities of [Reberol2021]; we differ: made at start in milliseconds instead of read from a file.
 class TemplateTable {
@@ -32,8 +32,8 @@ class TemplateTable {
 
   TemplateTable();
 
-  /// The `most` cheapest ways to fill a disk whose rim has costs.size() nodes (even), cost = rim + inner, below `limit`;
-  /// cheapest first, then in the order of the table.
+  /// The `most` cheapest ways to fill a disk whose rim has costs.size() nodes (even), cost = rim + inner, below
+  /// `limit`; cheapest first, then in the order of the table.
   void find(std::span<const RimCosts> costs, int limit, std::size_t most, std::vector<Match>& found) const;
 
   std::size_t count() const { return templates_.size(); }

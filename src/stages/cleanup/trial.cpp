@@ -9,7 +9,6 @@ namespace quadline::cleanup {
 
 namespace {
 
-constexpr double kFlatQuad = 0.02;               // scaled Jacobian below which a quad counts as broken
 constexpr double kShortest = 0.4, kLongest = 1.8;  // edge over local size
 constexpr int kLaplaceSweeps = 10;
 
@@ -67,8 +66,10 @@ bool Trial::build(const Cavity& cavity, const Replacement& replacement) {
   }
   const double each = 1.0 / n_rim_;
   for (const NodeId v : replacement.inner) {
-    if (v.valid()) local(v);
-    else nodes_.push_back({v, {}, 0, false});
+    if (v.valid())
+      local(v);
+    else
+      nodes_.push_back({v, {}, 0, false});
     nodes_.back() = {v, each * sum, each * size, true};
   }
   n_own_ = static_cast<std::uint32_t>(nodes_.size());

@@ -8,12 +8,15 @@
 
 namespace quadline::cleanup {
 
+/// Scaled Jacobian below which a quad counts as broken.
+constexpr double kFlatQuad = 0.02;
+
 /// How good some quads are.
 struct PatchQuality {
   double least_jacobian = 1;
   double mean_beta = 1;
-  int n_broken = 0;        ///< quads that are not convex, or nearly so
-  double size_error = 1;   ///< greatest factor between an edge and the limits of its size; 1: all within
+  int n_broken = 0;       ///< quads that are not convex, or nearly so
+  double size_error = 1;  ///< greatest factor between an edge and the limits of its size; 1: all within
 };
 
 /// Builds a replacement beside the mesh, with the quads round the cavity, smooths it there, and measures it: the mesh

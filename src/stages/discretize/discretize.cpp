@@ -9,8 +9,10 @@ namespace {
 IdVector<CurveId, CountWish> wishes_of(const Domain& domain, const SizeField& size) {
   IdVector<CurveId, CountWish> wishes;
   wishes.reserve(domain.curves.count());
-  for (const Domain::Curve& curve : domain.curves)
-    wishes.push_back({MetricLength(curve.piece, size).total(), size.least_edges(curve.piece)});
+  for (std::size_t i = 0; i < domain.curves.count(); ++i) {
+    const CurveId id(i);
+    wishes.push_back({MetricLength(domain.curves[id].piece, size).total(), size.least_edges(id)});
+  }
   return wishes;
 }
 

@@ -12,12 +12,17 @@ namespace quadline {
 /// @return  the triangle; p may lie on its rim.
 FaceId locate(const WorkMesh& mesh, Point p, FaceId near);
 
-/// Inserts a free node at p and restores the constrained Delaunay property by swaps; constraints stay.
+/// Inserts the isolated node v into the triangle `f` that holds it, and restores the constrained Delaunay property by
+/// swaps; constraints stay.
 ///
-/// @return  the node; invalid, and nothing changed, where p lies on a constraint edge or on a node.
-NodeId insert_point(WorkMesh& mesh, Point p, FaceId near);
+/// @return  false, and nothing changed, where v lies on a constraint edge or on another node.
+bool insert_node(WorkMesh& mesh, NodeId v, FaceId f);
 
-/// Swaps the edges of `suspects` and what follows from it until all are locally Delaunay or constraints [Lawson1977].
+/// Swaps the edges of `suspects`, and what follows from it, until all are locally Delaunay, constraints, or edges of
+/// quads [Lawson1977]. Ties stay as they are. `suspects` is empty afterwards.
 void restore_delaunay(WorkMesh& mesh, std::vector<EdgeId>& suspects);
+
+/// Order of the points along a Hilbert curve over their box: near in the order is near in the plane.
+std::vector<std::uint32_t> hilbert_order(const std::vector<Point>& points);
 
 }  // namespace quadline

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/found_mesh.hpp"
+
+namespace quadline {
+
+constexpr std::size_t kMostInflation = 1032;  ///< no deflate stream grows by more
+
+/// How a VTK XML file stores its binary arrays.
+struct VtkEncoding {
+  bool wide_headers = false;  ///< counts of 8 bytes, not of 4
+  bool swapped = false;       ///< the byte order is not the machine's
+  bool compressed = false;    ///< blocks of zlib streams
+};
+
+/// The bytes of a binary array: counts, then data, as VTK lays them out [VTKFormats].
+///
+/// @param text       starts with the array; may go on behind it.
+/// @param is_base64  the array is base64 text, not raw bytes.
+/// @param at         where the array stands in the file, for errors.
+/// @throws InputError  it ends too early, or claims more bytes than its text can hold.
+std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding& encoding, const SourceFile& file,
+                       std::size_t at);
+
+/// The values of an array of VTK type `type` ("Float64", "Int32", ...), as numbers of type T.
+template <class T>
+std::vector<T> vtk_values(std::string_view bytes, std::string_view type, bool swapped, const SourceFile& file,
+                          std::size_t at);
+
+}  // namespace quadline

@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "domain/size_locate.hpp"
+#include "domain/size_sources.hpp"
+#include "search/box_tree.hpp"
+
+// Gaps by looking along the normals of the curves, and from the vertices to the nearest curve. A wedge between two
+// curves that meet is no gap: it closes however small the edges are. Source: the local feature size of
+// [Persson2006], here without a medial axis.
+
+namespace quadline {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kGapStretch = 1.4;     // size in a gap, over its width: a unit edge is 0.7 to 1.4 [BorouchakiGeorge1997]
+constexpr double kLeastGapShare = 0.4;  // least size that a gap asks for, over the base size
+constexpr double kWedgeReach = 4;       // features so near along the boundary (in base sizes) meet: no gap
+
+class GapFinder {
+ public:
+  GapFinder(const Domain& domain, const IdVector<CurveId, double>& sizes, std::vector<SizeSource>& sources)
+      : domain_(domain), sizes_(sizes), sources_(sources), tree_(boxes_of_curves(domain)) {
+    measure_walks();
+    collect_stars();
+  }
+
+  void find() {
+    for (std::size_t i = 0; i < domain_.curves.count(); ++i)
+      for (bool is_left : {true, false}) look_along_normals(CurveId(i), is_left);
+    for (std::size_t i = 0; i < domain_.vertices.count(); ++i) look_around(VertexId(i));
+    for (const Domain::Cell& cell : domain_.cells)
+      for (VertexId v : cell.lone_points) look_around_lone(v, cell);
+  }
+
+ private:
+  /// A curve seen from one side, as a part of the walk round the cell on that side.
+  struct Side {
+    std::uint32_t walk = UINT32_MAX;
+    double start = 0;  ///< length of the walk before it
+  };
+  struct Hit {
+    CurveId curve;
+    double distance = kNone;
+  };
+
+  void measure_walks() {
+    sides_.resize(2 * domain_.curves.count());
+    for (const Domain::Cell& cell : domain_.cells)
+      for (const auto& walk : cell.walks) {
+        double sum = 0;
+        for (const DirectedCurve& d : walk) {
+          sides_[2 * d.curve.value + d.reversed] = {static_cast<std::uint32_t>(walk_length_.size()), sum};
+          sum += length(domain_.curves[d.curve].piece);
+        }
+        walk_length_.push_back(sum);
+      }
+  }
+
+  void collect_stars() {
+    star_start_.assign(domain_.vertices.count() + 1, 0);
+    for (const Domain::Curve& c : domain_.curves)
+      for (VertexId v : {c.tail, c.head}) ++star_start_[v.value + 1];
+    for (std::size_t i = 1; i < star_start_.size(); ++i) star_start_[i] += star_start_[i - 1];
+    star_.resize(star_start_.back());
+    std::vector<std::uint32_t> next(star_start_.begin(), star_start_.end() - 1);
+    for (std::size_t i = 0; i < domain_.curves.count(); ++i) {
+      const Domain::Curve& c = domain_.curves[CurveId(i)];
+      star_[next[c.tail.value]++] = {CurveId(i), false};
+      star_[next[c.head.value]++] = {CurveId(i), true};
+    }
+  }
+
+  CellId cell_on(CurveId c, bool is_left) const {
+    return is_left ? domain_.curves[c].left : domain_.curves[c].right;
+  }
+
+  bool share_vertex(CurveId a, CurveId b) const {
+    const Domain::Curve &p = domain_.curves[a], &q = domain_.curves[b];
+    return p.tail == q.tail || p.tail == q.head || p.head == q.tail || p.head == q.head;
+  }
+
+  /// Where arc length s of a curve lies in the walk on that side of it.
+  double place(CurveId c, bool is_left, double s) const {
+    const Side& side = sides_[2 * c.value + !is_left];
+    return side.start + (is_left ? s : length(domain_.curves[c].piece) - s);
+  }
+
+  /// The way along the boundary is so short that the two places belong to a corner.
+  bool is_wedge(CurveId a, bool a_left, double sa, CurveId b, bool b_left, double sb, double base) const {
+    const std::uint32_t walk = sides_[2 * a.value + !a_left].walk;
+    if (walk == UINT32_MAX || walk != sides_[2 * b.value + !b_left].walk) return false;
+    const double way = std::abs(place(a, a_left, sa) - place(b, b_left, sb));
+    return std::min(way, walk_length_[walk] - way) < kWedgeReach * base;
+  }
+
+  /// The curve seen first from p in direction d.
+  Hit first_hit(Point p, Point d, double reach, CurveId but) const {
+    const Point q = p + reach * d;
+    Hit best;
+    tree_.query({{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}},
+                [&](std::uint32_t item) {
+                  const CurveId c(item);
+                  if (c == but) return;
+                  const double t = ray_distance(p, d, reach, domain_.curves[c].piece);
+                  if (t < best.distance || (t == best.distance && best.curve.valid() && c < best.curve)) best = {c, t};
+                });
+    return best;
+  }
+
+  double gap_size(double gap, double base) const { return std::max(kLeastGapShare * base, kGapStretch * gap); }
+
+  void look_along_normals(CurveId id, bool is_left) {
+    const CellId cell = cell_on(id, is_left);
+    if (!cell.valid()) return;
+    const CurvePiece& piece = domain_.curves[id].piece;
+    const double base = domain_.cells[cell].size, whole = length(piece), reach = std::min(base, sizes_[id]) / kGapStretch;
+    const double n = std::ceil(std::max(whole / (0.5 * base), piece.is_arc() ? 4 * std::abs(piece.sweep) / 3 : 1.0));
+    for (double i = 0; i < n; ++i) {
+      const double s = whole * ((i + 0.5) / n);
+      const Point p = point_at(piece, s), normal = left_normal(tangent_at(piece, s));
+      const Hit hit = first_hit(p, is_left ? normal : -1.0 * normal, reach, id);
+      if (!hit.curve.valid() || share_vertex(id, hit.curve)) continue;
+      const CurvePiece& other = domain_.curves[hit.curve].piece;
+      const double at = project(other, p + hit.distance * (is_left ? normal : -1.0 * normal));
+      if (is_wedge(id, is_left, s, hit.curve, is_left_of(other, at, p), at, base)) continue;
+      const double size = gap_size(hit.distance, base);
+      if (size >= base) continue;
+      append_sources(piece, whole * (i / n), whole * ((i + 1) / n), size, false, sources_);
+      const Point q = point_at(other, at);
+      sources_.push_back({q, q, size});
+    }
+  }
+
+  /// The outgoing side at v whose sector holds the direction d.
+  DirectedCurve sector(VertexId v, Point d) const {
+    const auto turn = [](Point from, Point to) {  // counter-clockwise from..to as 0..4, monotone in the angle
+      const double c = dot(from, to), s = cross(from, to), sum = std::abs(c) + std::abs(s);
+      if (sum == 0) return 0.0;
+      return s >= 0 ? 1 - c / sum : 3 + c / sum;
+    };
+    DirectedCurve best;
+    double least = kNone;
+    for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k) {
+      const CurvePiece& piece = domain_.curves[star_[k].curve].piece;
+      const Point out = star_[k].reversed ? -1.0 * tangent_at(piece, length(piece)) : tangent_at(piece, 0);
+      const double angle = turn(out, d);
+      if (angle < least) {
+        least = angle;
+        best = star_[k];
+      }
+    }
+    return best;
+  }
+
+  bool is_at(CurveId c, VertexId v) const { return domain_.curves[c].tail == v || domain_.curves[c].head == v; }
+
+  Hit nearest(VertexId v, double reach) const {
+    const Point p = domain_.vertices[v].at;
+    Hit best;
+    tree_.query(inflated({p, p}, reach), [&](std::uint32_t item) {
+      const CurveId c(item);
+      if (is_at(c, v)) return;
+      const CurvePiece& piece = domain_.curves[c].piece;
+      const double d = distance(p, point_at(piece, project(piece, p)));
+      if (d > reach) return;
+      if (d < best.distance || (d == best.distance && c < best.curve)) best = {c, d};
+    });
+    return best;
+  }
+
+  void look_around(VertexId v) {
+    if (star_start_[v.value] == star_start_[v.value + 1]) return;
+    double reach = 0;
+    for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
+      reach = std::max(reach, base_size(domain_, domain_.curves[star_[k].curve]));
+    const Hit hit = nearest(v, reach / kGapStretch);
+    if (!hit.curve.valid()) return;
+    const Point p = domain_.vertices[v].at;
+    const CurvePiece& other = domain_.curves[hit.curve].piece;
+    const double at = project(other, p);
+    const Point q = point_at(other, at);
+    const DirectedCurve out = sector(v, q - p);
+    const CellId cell = cell_on(out.curve, !out.reversed);
+    if (!cell.valid()) return;
+    const double base = domain_.cells[cell].size, size = gap_size(hit.distance, base);
+    for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
+      if (share_vertex(star_[k].curve, hit.curve)) return;
+    const double start = out.reversed ? length(domain_.curves[out.curve].piece) : 0;
+    if (is_wedge(out.curve, !out.reversed, start, hit.curve, is_left_of(other, at, p), at, base)) return;
+    if (size >= base) return;
+    sources_.push_back({p, p, size});
+    sources_.push_back({q, q, size});
+  }
+
+  void look_around_lone(VertexId v, const Domain::Cell& cell) {
+    const Hit hit = nearest(v, cell.size / kGapStretch);
+    const double size = gap_size(hit.distance, cell.size);
+    if (!hit.curve.valid() || size >= cell.size) return;
+    const Point p = domain_.vertices[v].at;
+    const CurvePiece& other = domain_.curves[hit.curve].piece;
+    const Point q = point_at(other, project(other, p));
+    sources_.push_back({p, p, size});
+    sources_.push_back({q, q, size});
+  }
+
+  const Domain& domain_;
+  const IdVector<CurveId, double>& sizes_;
+  std::vector<SizeSource>& sources_;
+  BoxTree tree_;
+  std::vector<Side> sides_;  ///< 2 * curve + reversed
+  std::vector<double> walk_length_;
+  std::vector<std::uint32_t> star_start_;
+  std::vector<DirectedCurve> star_;  ///< curves leaving each vertex
+};
+
+}  // namespace
+
+void append_gaps(const Domain& domain, const IdVector<CurveId, double>& sizes, std::vector<SizeSource>& sources) {
+  if (domain.curves.count() > 0) GapFinder(domain, sizes, sources).find();
+}
+
+}  // namespace quadline

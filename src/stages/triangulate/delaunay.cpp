@@ -1,0 +1,109 @@
+#include "stages/triangulate/delaunay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "geom/predicates.hpp"
+
+namespace quadline {
+
+namespace {
+
+// Turns (x, y), 16 bits each, to the place on the Hilbert curve.
+std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t key = 0;
+  for (std::uint32_t s = 1u << 15; s > 0; s >>= 1) {
+    const std::uint32_t rx = (x & s) ? 1 : 0, ry = (y & s) ? 1 : 0;
+    key = key * 4 + ((3 * rx) ^ ry);
+    if (ry == 0) {
+      if (rx == 1) {
+        x = 0xffff - x;
+        y = 0xffff - y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return key;
+}
+
+}  // namespace
+
+FaceId locate(const WorkMesh& mesh, Point p, FaceId near) {
+  const Topology& topo = mesh.topo();
+  HalfId entry = topo.first(near);
+  // A walk that always tries the same side first may run in a circle where the triangles are not Delaunay; so the side
+  // that is tried first changes from step to step.
+  for (std::uint32_t step = 0;; ++step) {
+    std::array<HalfId, 3> sides{entry, topo.next(entry), topo.prev(entry)};
+    if ((step * 2654435761u) & 0x10000u) std::swap(sides[1], sides[2]);
+    HalfId out;
+    for (int i = step == 0 ? 0 : 1; i < 3 && !out.valid(); ++i)
+      if (orientation(mesh.point(topo.tail(sides[i])), mesh.point(topo.head(sides[i])), p) < 0) out = sides[i];
+    if (!out.valid()) return topo.face(entry);
+    entry = twin(out);
+  }
+}
+
+bool insert_node(WorkMesh& mesh, NodeId v, FaceId f) {
+  const Topology& topo = mesh.topo();
+  const Point p = mesh.point(v);
+  HalfId on;
+  bool on_node = false;
+  topo.for_each_half(f, [&](HalfId h) {
+    on_node |= mesh.point(topo.tail(h)) == p;
+    if (orientation(mesh.point(topo.tail(h)), mesh.point(topo.head(h)), p) == 0) on = h;
+  });
+  if (on_node || (on.valid() && mesh.is_constraint(on))) return false;
+  if (on.valid()) {
+    mesh.split_edge(edge_of(on), v);
+  } else {
+    mesh.split_face(f, v);
+  }
+  std::vector<EdgeId> suspects;
+  suspects.reserve(16);
+  topo.for_each_out(v, [&](HalfId h) { suspects.push_back(edge_of(topo.next(h))); });
+  restore_delaunay(mesh, suspects);
+  return true;
+}
+
+void restore_delaunay(WorkMesh& mesh, std::vector<EdgeId>& suspects) {
+  const Topology& topo = mesh.topo();
+  while (!suspects.empty()) {
+    const EdgeId e = suspects.back();
+    suspects.pop_back();
+    if (!topo.is_live(e) || mesh.is_constraint(e)) continue;
+    const HalfId h = half_of(e, 0), t = half_of(e, 1);
+    if (!mesh.is_triangle(h) || !mesh.is_triangle(t)) continue;
+    // Inside the circle implies that the two triangles form a convex quadrilateral.
+    if (in_circle(mesh.point(topo.tail(h)), mesh.point(topo.head(h)), mesh.point(topo.head(topo.next(h))),
+                  mesh.point(topo.head(topo.next(t)))) <= 0)
+      continue;
+    mesh.swap_edge(e);
+    for (const HalfId g : {topo.next(h), topo.prev(h), topo.next(t), topo.prev(t)}) suspects.push_back(edge_of(g));
+  }
+}
+
+std::vector<std::uint32_t> hilbert_order(const std::vector<Point>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  if (points.empty()) return order;
+  Point lo = points[0], hi = points[0];
+  for (const Point p : points) {
+    lo = {std::fmin(lo.x, p.x), std::fmin(lo.y, p.y)};
+    hi = {std::fmax(hi.x, p.x), std::fmax(hi.y, p.y)};
+  }
+  const double extent = std::fmax(hi.x - lo.x, hi.y - lo.y);
+  const double scale = extent > 0 ? 65535 / extent : 0;
+  std::vector<std::uint64_t> keys(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point d = points[i] - lo;
+    const std::uint64_t key =
+        hilbert_key(static_cast<std::uint32_t>(d.x * scale), static_cast<std::uint32_t>(d.y * scale));
+    keys[i] = key << 32 | i;
+  }
+  std::sort(keys.begin(), keys.end());
+  for (std::size_t i = 0; i < keys.size(); ++i) order[i] = static_cast<std::uint32_t>(keys[i]);
+  return order;
+}
+
+}  // namespace quadline
