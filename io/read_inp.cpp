@@ -153,7 +153,8 @@ void Reader::element_line() {
   contents_.element_numbers.add(pending_[0]);
   if (set_of_elements_) {
     auto& items = set_of_elements_->items;
-    if (!items.empty() && items.back().step == 1 && items.back().last + 1 == pending_[0]) {
+    if (!items.empty() && items.back().step == 1 && items.back().last < pending_[0] &&
+        pending_[0] - 1 == items.back().last) {
       items.back().last = pending_[0];
     } else {
       items.push_back({pending_[0], pending_[0], 1, {}, line_at_});

@@ -15,10 +15,7 @@ struct Where {
   std::optional<Point> point;
 };
 
-/// "file: place: at (x, y)" with what is known; empty when nothing is.
-std::string to_string(const Where& where);
-
-/// Root of all errors that Quadline throws. `what()` is one line.
+/// Root of all errors that Quadline throws. `what()` is one line: "file: place: message at (x, y)".
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message, Where where = {});

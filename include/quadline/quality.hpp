@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "quadline/mesh.hpp"
 
@@ -35,6 +37,9 @@ std::string_view verdict(double beta);
 /// Distortion coefficient beta of the quad a b c d [Lee2003 eqs 1, 2]: 1 for a rectangle, 0 for a degenerate or
 /// inverted quad.
 double distortion(Point a, Point b, Point c, Point d);
+
+/// Every edge of the faces once, smaller node first, in ascending order: `n_edges x 2`.
+std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh);
 
 /// Measures the quads of a mesh.
 ///

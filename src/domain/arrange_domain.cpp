@@ -151,9 +151,15 @@ class Builder {
         if (!is_joint_[head]) break;
       }
       if (moved_.count(first.tail) || moved_.count(head)) sweep = std::copysign(std::numbers::pi, sweep);
-      Domain::Curve curve{.tail = vertex(first.tail), .head = vertex(head), .piece = first.curve};
+      Domain::Curve curve{.tail = vertex(first.tail), .head = vertex(head)};
       const Point a = work_.vertices[first.tail].at, b = work_.vertices[head].at;
-      curve.piece = sub_piece(first.curve, 0, std::abs(sweep) * first.curve.radius, a, b);
+      // Arcs lie on the circle that the model gives, whatever the tolerance did to their ends.
+      if (sweep == 0) {
+        curve.piece = {.a = a, .b = b};
+      } else {
+        const CurvePiece& step = work_.steps[first.origin];
+        curve.piece = sub_piece(step, 0, std::abs(sweep) * step.radius, a, b);
+      }
       curve.left = cell_of_[parts_.face_at(static_cast<Half>(2 * i))];
       curve.right = cell_of_[parts_.face_at(static_cast<Half>(2 * i + 1))];
       curve.size = kInfinity;

@@ -180,7 +180,8 @@ class Reader {
   }
 
   void add_piece(VertexId tail, VertexId head, const CurvePiece& curve) {
-    const CurveId id = work_.pieces.push_back({.tail = tail, .head = head, .curve = curve, .origin = origin_});
+    const std::uint32_t origin = static_cast<std::uint32_t>(work_.steps.size() - 1);
+    const CurveId id = work_.pieces.push_back({.tail = tail, .head = head, .curve = curve, .origin = origin});
     route_.uses.push_back({.curve = id});
   }
 
@@ -191,10 +192,10 @@ class Reader {
     const VertexId w = work_.vertices.push_back({.at = west, .rank = Rank::Helper});
     CurvePiece half{.a = east, .b = west, .center = circle.center, .radius = circle.radius};
     half.sweep = 2 * std::atan2(1.0, 0.0);
+    work_.steps.push_back(half);
     add_piece(e, w, half);
     std::swap(half.a, half.b);
     add_piece(w, e, half);
-    ++origin_;
   }
 
   void add_chain(const Path& path, bool is_loop) {
@@ -215,6 +216,7 @@ class Reader {
     const Point a = work_.vertices[tail].at;
     const Point b = work_.vertices[head].at;
     const CurvePiece arc = via ? bent(a, *via, b, place) : CurvePiece{.a = a, .b = b};
+    work_.steps.push_back(arc);
     if (std::abs(arc.sweep) > kHalfTurn) {
       const double middle = 0.5 * length(arc);
       const VertexId half = work_.vertices.push_back({.at = point_at(arc, middle), .rank = Rank::Helper});
@@ -224,7 +226,6 @@ class Reader {
     } else {
       add_piece(tail, head, arc);
     }
-    ++origin_;
   }
 
   CurvePiece bent(Point a, Point via, Point b, const std::string& place) {
@@ -249,7 +250,6 @@ class Reader {
   Work work_;
   Route route_;
   std::set<std::string> names_;
-  std::uint32_t origin_ = 0;
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ namespace {
 
 constexpr int kMaxRounds = 64;  // four or five are usual
 constexpr double kBoxesPerPiece = 2;
+constexpr double kShortArc = 16;          // in tolerances; shorter ones are straight
+constexpr double kOffCircle = 0x1p-10;    // in tolerances; nearer ends lie on the circle
 
 /// A vertex on a piece, at arc length s.
 struct Cut {
@@ -81,6 +83,22 @@ struct Parts {
   std::vector<CurveId> piece;
 };
 
+/// Turns and scales an arc so that it goes through its ends, if they lie farther than `slack` off its circle. Then what
+/// holds for straight pieces holds for arcs: a point of the piece near its end is near no other piece that its end is not.
+CurvePiece moved_to_ends(CurvePiece arc, double slack) {
+  const Point u = arc.a - arc.center;
+  const Point v = arc.b - arc.center;
+  if (std::max(std::abs(norm(u) - arc.radius), std::abs(norm(v) - arc.radius)) <= slack) return arc;
+  const Point on_a = (arc.radius / norm(u)) * u;
+  const Point on_b = (arc.radius / norm(v)) * v;
+  const Point was = on_b - on_a;
+  const Point is = arc.b - arc.a;
+  const Point turn = (1 / norm2(was)) * Point{dot(was, is), cross(was, is)};  // as a complex number
+  arc.center = arc.a - Point{turn.x * on_a.x - turn.y * on_a.y, turn.x * on_a.y + turn.y * on_a.x};
+  arc.radius *= norm(turn);
+  return arc;
+}
+
 class Resolver {
  public:
   Resolver(Work& work, Context& context) : work_(work), context_(context) {}
@@ -131,7 +149,7 @@ class Resolver {
       const Point a = work_.vertices[piece.tail].at;
       const Point b = work_.vertices[piece.head].at;
       if (a == piece.curve.a && b == piece.curve.b) continue;
-      if (piece.tail != piece.head) piece.curve = sub_piece(piece.curve, 0, length(piece.curve), a, b);
+      if (piece.tail != piece.head) piece.curve = cut_curve(piece.curve, 0, length(piece.curve), a, b);
       piece.checked_near = piece.checked_across = false;
     }
   }
@@ -192,8 +210,9 @@ class Resolver {
   }
 
   bool is_same_curve(CurveId a, CurveId b) const {
-    const CurvePiece& curve = work_.pieces[a].curve;
-    return distance_to(work_.pieces[b].curve, point_at(curve, 0.5 * length(curve))) <= work_.tolerance;
+    const CurvePiece& p = work_.pieces[a].curve;
+    const CurvePiece& q = work_.pieces[b].curve;
+    return distance(point_at(p, 0.5 * length(p)), point_at(q, 0.5 * length(q))) <= work_.tolerance;
   }
 
   /// Renumbers the pieces; `becomes` tells for each the one that takes its place (itself: it stays; invalid: none).
@@ -317,9 +336,17 @@ class Resolver {
   }
 
   Piece cut_out(const Piece& whole, Piece part, double from, double to) const {
-    part.curve = sub_piece(whole.curve, from, to, work_.vertices[part.tail].at, work_.vertices[part.head].at);
+    part.curve = cut_curve(whole.curve, from, to, work_.vertices[part.tail].at, work_.vertices[part.head].at);
     part.checked_near = part.checked_across = false;
     return part;
+  }
+
+  /// The part of a curve between two vertices that may lie off it by the tolerance.
+  CurvePiece cut_curve(const CurvePiece& whole, double from, double to, Point a, Point b) const {
+    const CurvePiece part = sub_piece(whole, from, to, a, b);
+    if (!part.is_arc()) return part;
+    if (length(part) <= kShortArc * work_.tolerance) return {.a = a, .b = b};
+    return moved_to_ends(part, kOffCircle * work_.tolerance);
   }
 
   static std::vector<DirectedCurve> replaced(const std::vector<DirectedCurve>& uses, const std::vector<CurveId>& first) {

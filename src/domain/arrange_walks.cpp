@@ -10,7 +10,7 @@ namespace quadline::arrangement {
 namespace {
 
 // Pieces that leave a vertex at less than this angle, in radians, may change places within the tolerance.
-constexpr double kNarrow = 0.1;
+constexpr double kNarrow = 0.5;
 
 CurvePiece directed(const Work& work, Half half) {
   const CurvePiece& curve = work.pieces[piece_of(half)].curve;

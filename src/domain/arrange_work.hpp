@@ -35,7 +35,7 @@ struct Vertex {
 struct Piece {
   VertexId tail{}, head{};
   CurvePiece curve{};
-  std::uint32_t origin = 0;     ///< the step of a path it was cut from
+  std::uint32_t origin = 0;     ///< the step of a path it was cut from, in its direction
   bool checked_near = false;    ///< against the vertices near it
   bool checked_across = false;  ///< against the pieces that may cross it
 };
@@ -57,6 +57,7 @@ struct Work {
   Box box{};  ///< of the outer loops
   IdVector<VertexId, Vertex> vertices{};
   IdVector<CurveId, Piece> pieces{};
+  std::vector<CurvePiece> steps{};         ///< of the paths, as given; `origin` counts them
   std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model
   std::vector<VertexId> point_vertex{};  ///< of every point of the model
   std::vector<Finding> findings{};

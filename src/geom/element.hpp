@@ -21,7 +21,8 @@ double quad_distortion(const QuadPoints& q);
 /// Least sine of a corner, signed; negative for a reflex corner, 0 for a flat or collapsed one.
 double scaled_jacobian(const QuadPoints& q);
 
-/// Corner angle in radians, counter-clockwise from b - corner to a - corner ... in (0, 2 pi].
+/// Interior angle in radians, (0, 2 pi], of a counter-clockwise polygon at `corner`: from the direction of `next`
+/// counter-clockwise to that of `previous`.
 double corner_angle(Point previous, Point corner, Point next);
 
 /// Mean over the corners of (|u|^2 + |v|^2) / (2 det(u, v)) [Knupp2000]: 1 for a square; infinite where a corner is not

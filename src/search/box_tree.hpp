@@ -1,11 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geom/curve.hpp"
@@ -39,7 +40,7 @@ class BoxTree {
   /// Calls visit(item) for every item whose box touches `query`.
   template <class Visit>
   void query(const Box& query, Visit&& visit) const {
-    descend([&](const Box& b) { return overlap(b, query); }, visit);
+    if (!boxes_.empty()) descend(levels_.size() - 1, 0, query, visit);
   }
 
   /// Calls visit(item) for the items whose boxes the ray from `start` may meet before the best hit. The visitor returns
@@ -48,8 +49,7 @@ class BoxTree {
   template <class Visit>
   void ray(Point start, Point direction, Visit&& visit) const {
     double best = std::numeric_limits<double>::infinity();
-    descend([&](const Box& b) { return entry(b, start, direction) < best; },
-            [&](std::uint32_t item) { best = std::min(best, visit(item)); });
+    if (!boxes_.empty()) nearest_first(levels_.size() - 1, 0, start, direction, best, visit);
   }
 
  private:
@@ -92,20 +92,40 @@ class BoxTree {
     }
   }
 
-  template <class Wanted, class Visit>
-  void descend(const Wanted& wanted, const Visit& visit) const {
-    if (!boxes_.empty()) descend(levels_.size() - 1, 0, wanted, visit);
+  std::size_t count_below(std::size_t level) const { return level == 0 ? boxes_.size() : levels_[level - 1].size(); }
+  const Box& box_below(std::size_t level, std::size_t i) const {
+    return level == 0 ? boxes_[order_[i]] : levels_[level - 1][i];
   }
 
-  template <class Wanted, class Visit>
-  void descend(std::size_t level, std::size_t group, const Wanted& wanted, const Visit& visit) const {
-    if (!wanted(levels_[level][group])) return;
-    const std::size_t below = level == 0 ? boxes_.size() : levels_[level - 1].size();
-    for (std::size_t i = group * kFan; i < std::min(below, (group + 1) * kFan); ++i) {
+  template <class Visit>
+  void descend(std::size_t level, std::size_t group, const Box& query, const Visit& visit) const {
+    for (std::size_t i = group * kFan; i < std::min(count_below(level), (group + 1) * kFan); ++i) {
+      if (!overlap(box_below(level, i), query)) continue;
       if (level > 0) {
-        descend(level - 1, i, wanted, visit);
-      } else if (wanted(boxes_[order_[i]])) {
+        descend(level - 1, i, query, visit);
+      } else {
         visit(order_[i]);
+      }
+    }
+  }
+
+  template <class Visit>
+  void nearest_first(std::size_t level, std::size_t group, Point start, Point direction, double& best,
+                     const Visit& visit) const {
+    std::array<std::pair<double, std::size_t>, kFan> entries;
+    std::size_t n = 0;
+    for (std::size_t i = group * kFan; i < std::min(count_below(level), (group + 1) * kFan); ++i) {
+      const double at = entry(box_below(level, i), start, direction);
+      if (!(at < best)) continue;
+      std::size_t k = n++;
+      for (; k > 0 && entries[k - 1].first > at; --k) entries[k] = entries[k - 1];
+      entries[k] = {at, i};
+    }
+    for (std::size_t k = 0; k < n && entries[k].first < best; ++k) {
+      if (level > 0) {
+        nearest_first(level - 1, entries[k].second, start, direction, best, visit);
+      } else {
+        best = std::min(best, visit(order_[entries[k].second]));
       }
     }
   }

@@ -25,7 +25,7 @@ struct Cavity {
 
 /// What shall stand in the place of a cavity.
 struct Replacement {
-  std::vector<NodeId> inner;                       ///< nodes inside that stay; invalid: new
+  std::vector<NodeId> inner;                        ///< nodes inside that stay; invalid: new
   std::vector<std::array<std::uint16_t, 4>> quads;  ///< 0 .. n_rim-1: the rim; then `inner`
 };
 

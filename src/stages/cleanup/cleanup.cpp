@@ -1,12 +1,13 @@
-// Topological clean-up [Kinney1997, Canann1998] by re-meshing small cavities [Reberol2021]. Every edit is tried beside
-// the mesh, smoothed, and kept only if the measure (valence costs, and much more for what is not convex) falls and the
-// least quality does not. As the measure is a whole number, clean-up ends. We differ: one mechanism for all patterns;
-// valences are those of sectors; edits must keep the size.
+// Topological clean-up [Kinney1997, Canann1998] by re-meshing cavities [Reberol2021, Bunin2006]. Every edit is tried
+// beside the mesh, smoothed, and kept only if the measure (valence costs, and much more for what is not convex) falls
+// and the least quality does not. As the measure is a whole number, clean-up ends. We differ: one mechanism for all
+// patterns; valences are those of sectors; edits must keep the size.
 #include "stages/cleanup/cleanup.hpp"
 
 #include <algorithm>
 #include <queue>
 
+#include "stages/cleanup/grow_patch.hpp"
 #include "stages/cleanup/shapes.hpp"
 #include "stages/cleanup/templates.hpp"
 #include "stages/cleanup/trial.hpp"
@@ -23,10 +24,47 @@ constexpr double kMayLose = 0.1;
 constexpr std::size_t kTries = 3;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 
+/// Nodes to look at: small cavities first, then patches; dearest first, then by id.
+class WorkList {
+ public:
+  enum Phase { Local, Patch, Done };
+  struct Entry {
+    Phase phase;
+    int cost;
+    NodeId node;
+    bool operator<(const Entry& o) const {
+      if (phase != o.phase) return phase > o.phase;
+      return cost != o.cost ? cost < o.cost : node > o.node;
+    }
+  };
+  void push(NodeId v, Phase phase, int cost) {
+    if (pending_.count() <= v.value) pending_.grow(v.value + 1, Done);
+    if (pending_[v] <= phase) return;
+    pending_[v] = phase;
+    queue_.push({phase, cost, v});
+  }
+  /// False: nothing is left.
+  bool pop(Entry& entry) {
+    while (!queue_.empty()) {
+      entry = queue_.top();
+      queue_.pop();
+      if (pending_[entry.node] != entry.phase) continue;  // it was pushed again for an earlier phase
+      pending_[entry.node] = Done;
+      return true;
+    }
+    return false;
+  }
+  std::size_t count() const { return queue_.size(); }
+
+ private:
+  std::priority_queue<Entry> queue_;
+  IdVector<NodeId, Phase> pending_;
+};
+
 class CleanUp {
  public:
   CleanUp(WorkMesh& mesh, const SizeField& field)
-      : mesh_(mesh), sectors_(mesh), finder_(mesh, sectors_), trial_(mesh, size_) {
+      : mesh_(mesh), sectors_(mesh), finder_(mesh, sectors_), grower_(mesh, sectors_, size_), trial_(mesh, size_) {
     const Topology& topo = mesh.topo();
     size_.grow(topo.node_capacity());
     for (std::size_t i = 0; i < topo.node_capacity(); ++i)
@@ -35,152 +73,160 @@ class CleanUp {
 
   void run(Context& context) {
     for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
-    fill_queue();
-    const std::size_t n_start = std::max<std::size_t>(1, queue_.size());
-    for (std::size_t n = 0; !queue_.empty(); ++n) {
-      if (n % 256 == 0) context.progress("clean-up", 1 - std::min(1.0, double(queue_.size()) / double(n_start)));
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if (!mesh_.topo().is_live(entry.node) || queued_[entry.node] == 0) continue;
-      queued_[entry.node] = 0;
-      improve(entry.node);
+    for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
+      if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
+    const double n_start = std::max(1.0, static_cast<double>(work_.count()));
+    WorkList::Entry entry;
+    for (std::size_t n = 0; work_.pop(entry); ++n) {
+      if (n % 256 == 0) context.progress("clean-up", 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start));
+      const NodeId v = entry.node;
+      if (!mesh_.topo().is_live(v) || cost(v) == 0) continue;
+      if (entry.phase == WorkList::Local) {
+        if (!try_shapes(v)) work_.push(v, WorkList::Patch, cost(v));
+      } else {
+        try_patches(v);
+      }
     }
     mesh_.compact();
   }
 
  private:
-  struct Entry {
-    int cost;
-    NodeId node;
-    bool operator<(const Entry& o) const { return cost != o.cost ? cost < o.cost : node > o.node; }
-  };
-  struct Outcome {
-    int before = 0, after = 0;
-    PatchQuality quality;
-  };
-
-  void smooth_all() {
-    const Topology& topo = mesh_.topo();
-    std::vector<StarQuad> star;
-    for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-      const NodeId v(i);
-      if (!topo.is_live(v) || !mesh_.is_free(v)) continue;
-      star.clear();
-      topo.for_each_out(v, [&](HalfId h) {
-        const HalfId n = topo.next(h);
-        star.push_back({mesh_.point(topo.head(h)), mesh_.point(topo.head(n)), mesh_.point(topo.tail(topo.prev(h)))});
-      });
-      mesh_.move(v, better_place(mesh_.point(v), star));
-    }
-  }
-
-  void push(NodeId v, int cost) {
-    queued_.grow(mesh_.topo().node_capacity(), 0);
-    if (cost == 0 || queued_[v] != 0) return;
-    queued_[v] = 1;
-    queue_.push({cost, v});
-  }
-
-  int cost_with_quads(NodeId v) const {
-    int cost = sectors_.cost(v);
-    mesh_.topo().for_each_out(v, [&](HalfId h) {
-      if (const FaceId f = mesh_.topo().face(h); f.valid() && is_broken(f)) cost += kBroken;
-    });
-    return cost;
-  }
+  void smooth_all();
   bool is_broken(FaceId f) const { return scaled_jacobian(mesh_.quad_points(f)) < kFlatQuad; }
-
-  void fill_queue() {
-    const Topology& topo = mesh_.topo();
-    for (std::size_t i = 0; i < topo.node_capacity(); ++i)
-      if (topo.is_live(NodeId(i))) push(NodeId(i), cost_with_quads(NodeId(i)));
+  int cost(NodeId v) const;
+  void push(NodeId v) {
+    if (const int c = cost(v); c > 0) work_.push(v, WorkList::Local, c);
   }
 
-  void improve(NodeId v) {
-    const int cost = cost_with_quads(v);
-    if (cost == 0) return;
-    for (const Shape& shape : shapes()) {
-      sets_.clear();
-      shape.propose(mesh_, v, sets_);
-      for (std::size_t i = 0; i < sets_.count(); ++i)
-        if (try_cavity(sets_[i])) return;
-    }
-  }
-
-  bool try_cavity(std::span<const FaceId> faces) {
-    if (!finder_.collect(faces, cavity_)) return false;
-    int broken = 0;
-    for (const FaceId f : faces) broken += is_broken(f);
-    if (broken == 0 && cavity_.cost <= least_cost()) return false;
-    costs_.clear();
-    for (const Cavity::RimNode& r : cavity_.rim) {
-      TemplateTable::RimCosts c{};
-      for (int q = 1; q <= TemplateTable::kMaxRimQuads; ++q) c[q] = valence_cost(r.wish, r.outside + q);
-      costs_.push_back(c);
-    }
-    const bool must = broken > 0 || cavity_.cost >= kBroken;
-    table_.find(costs_, cavity_.cost + kBroken * broken, must ? kTriesBroken : kTries, matches_);
-    for (const TemplateTable::Match& m : matches_) {
-      replacement_.inner.assign(m.way->n_inner, NodeId());
-      for (std::size_t i = 0; i < cavity_.inner.size() && i < replacement_.inner.size(); ++i)
-        replacement_.inner[i] = cavity_.inner[i];
-      replacement_.quads.assign(m.way->quads.begin(), m.way->quads.begin() + m.way->n_quads);
-      if (try_replacement(m.cost)) return true;
-    }
-    return false;
-  }
-
-  // What no filling can go below: the sum of the signed differences is the same for all.
-  int least_cost() const {
-    int sum = 0;
-    for (const Cavity::RimNode& r : cavity_.rim) {
-      if (r.wish.second != 0) return 0;
-      sum += r.wish.ideal - r.inside - r.outside;
-    }
-    for (const NodeId v : cavity_.inner) sum += 4 - mesh_.topo().edge_valence(v);
-    return std::abs(sum);
-  }
-
-  bool try_replacement(int cost_after) {
-    if (!trial_.build(cavity_, replacement_)) return false;
-    const PatchQuality now = trial_.quality_now();
-    trial_.smooth(kTrialSweeps);
-    const PatchQuality then = trial_.quality();
-    const int before = cavity_.cost + kBroken * now.n_broken, after = cost_after + kBroken * then.n_broken;
-    if (after >= before) return false;
-    if (before - after < kBroken / 2) {
-      if (then.least_jacobian < std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose)))
-        return false;
-      if (then.size_error > std::max(1.0, now.size_error)) return false;
-    }
-    trial_.commit(mesh_, size_, nodes_);
-    requeue();
-    return true;
-  }
-
-  void requeue() {
-    const Topology& topo = mesh_.topo();
-    for (const NodeId v : nodes_) {
-      push(v, cost_with_quads(v));
-      topo.for_each_out(v, [&](HalfId h) { push(topo.head(h), cost_with_quads(topo.head(h))); });
-    }
-  }
+  bool try_shapes(NodeId v);
+  bool try_templates(const Cavity& cavity);
+  bool try_patches(NodeId v);
+  bool try_replacement(const Cavity& cavity, int cost_after);
+  static int least_cost(const WorkMesh& mesh, const Cavity& cavity);
 
   WorkMesh& mesh_;
   Sectors sectors_;
   IdVector<NodeId, double> size_;
   CavityFinder finder_;
+  PatchGrower grower_;
   Trial trial_;
   TemplateTable table_;
-  std::priority_queue<Entry> queue_;
-  IdVector<NodeId, std::uint8_t> queued_;
+  WorkList work_;
   Cavity cavity_;
   Replacement replacement_;
   FaceSets sets_;
-  std::vector<TemplateTable::RimCosts> costs_;
+  std::vector<TemplateTable::RimCosts> rim_costs_;
   std::vector<TemplateTable::Match> matches_;
   std::vector<NodeId> nodes_;
 };
+
+void CleanUp::smooth_all() {
+  const Topology& topo = mesh_.topo();
+  std::vector<StarQuad> star;
+  for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
+    const NodeId v(i);
+    if (!topo.is_live(v) || !mesh_.is_free(v)) continue;
+    star.clear();
+    topo.for_each_out(v, [&](HalfId h) {
+      const NodeId opposite = topo.head(topo.next(h)), previous = topo.tail(topo.prev(h));
+      star.push_back({mesh_.point(topo.head(h)), mesh_.point(opposite), mesh_.point(previous)});
+    });
+    mesh_.move(v, better_place(mesh_.point(v), star));
+  }
+}
+
+// Of the sectors of a node and of the quads round it that are not convex.
+int CleanUp::cost(NodeId v) const {
+  int sum = sectors_.cost(v);
+  mesh_.topo().for_each_out(v, [&](HalfId h) {
+    if (const FaceId f = mesh_.topo().face(h); f.valid() && is_broken(f)) sum += kBroken;
+  });
+  return sum;
+}
+
+bool CleanUp::try_shapes(NodeId v) {
+  for (const Shape& shape : shapes()) {
+    sets_.clear();
+    shape.propose(mesh_, v, sets_);
+    for (std::size_t i = 0; i < sets_.count(); ++i)
+      if (finder_.collect(sets_[i], cavity_) && try_templates(cavity_)) return true;
+  }
+  return false;
+}
+
+bool CleanUp::try_templates(const Cavity& cavity) {
+  int n_broken = 0;
+  for (const FaceId f : cavity.faces) n_broken += is_broken(f);
+  if (n_broken == 0 && cavity.cost <= least_cost(mesh_, cavity)) return false;
+  rim_costs_.clear();
+  for (const Cavity::RimNode& r : cavity.rim) {
+    TemplateTable::RimCosts c{};
+    for (int q = 1; q <= TemplateTable::kMaxRimQuads; ++q) c[q] = valence_cost(r.wish, r.outside + q);
+    rim_costs_.push_back(c);
+  }
+  const bool must = n_broken > 0 || cavity.cost >= kBroken;
+  table_.find(rim_costs_, cavity.cost + kBroken * n_broken, must ? kTriesBroken : kTries, matches_);
+  for (const TemplateTable::Match& m : matches_) {
+    replacement_.inner.assign(m.way->n_inner, NodeId());
+    std::copy_n(cavity.inner.begin(), std::min(cavity.inner.size(), replacement_.inner.size()),
+                replacement_.inner.begin());
+    replacement_.quads.clear();
+    for (int i = 0; i < m.way->n_quads; ++i) {
+      const auto& q = m.way->quads[i];
+      replacement_.quads.push_back({q[0], q[1], q[2], q[3]});
+    }
+    if (try_replacement(cavity, m.cost)) return true;
+  }
+  return false;
+}
+
+bool CleanUp::try_patches(NodeId v) {
+  for (bool more = grower_.start(v); more; more = grower_.grow()) {
+    const Cavity& patch = grower_.cavity();
+    if (grower_.rim_cost() + std::abs(4 - grower_.corner_count()) >= patch.cost) continue;
+    for (const Filling& filling : fill_patch(grower_.rim(), kTries)) {
+      const int cost_after = grower_.rim_cost() + filling.n_irregular;
+      if (cost_after >= patch.cost) break;
+      replacement_.inner.assign(filling.n_inner, NodeId());
+      std::copy_n(patch.inner.begin(), std::min(patch.inner.size(), replacement_.inner.size()),
+                  replacement_.inner.begin());
+      replacement_.quads = filling.quads;
+      if (try_replacement(patch, cost_after)) return true;
+    }
+  }
+  return false;
+}
+
+// What no filling can go below: the sum of the signed differences is the same for all.
+int CleanUp::least_cost(const WorkMesh& mesh, const Cavity& cavity) {
+  int sum = 0;
+  for (const Cavity::RimNode& r : cavity.rim) {
+    if (r.wish.second != 0) return 0;
+    sum += r.wish.ideal - r.inside - r.outside;
+  }
+  for (const NodeId v : cavity.inner) sum += 4 - mesh.topo().edge_valence(v);
+  return std::abs(sum);
+}
+
+bool CleanUp::try_replacement(const Cavity& cavity, int cost_after) {
+  if (!trial_.build(cavity, replacement_)) return false;
+  const PatchQuality now = trial_.quality_now();
+  trial_.smooth(kTrialSweeps);
+  const PatchQuality then = trial_.quality();
+  const int before = cavity.cost + kBroken * now.n_broken, after = cost_after + kBroken * then.n_broken;
+  if (after >= before) return false;
+  if (before - after < kBroken / 2) {
+    const double floor = std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose));
+    if (then.least_jacobian < floor) return false;
+    if (then.size_error > std::max(1.0, now.size_error)) return false;
+  }
+  trial_.commit(mesh_, size_, nodes_);
+  for (const NodeId v : nodes_) {
+    push(v);
+    mesh_.topo().for_each_out(v, [&](HalfId h) { push(mesh_.topo().head(h)); });
+  }
+  return true;
+}
 
 }  // namespace
 }  // namespace cleanup

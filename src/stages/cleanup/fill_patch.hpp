@@ -18,9 +18,9 @@ struct PatchNode {
 
 /// A way to fill a patch.
 struct Filling {
-  int n_inner = 0;                                 ///< new nodes: after those of the rim
-  int n_irregular = 0;                             ///< inner nodes of three or five quads
-  double strain = 0;                               ///< how far it stretches edges, about; 0 is best
+  int n_inner = 0;      ///< new nodes: after those of the rim
+  int n_irregular = 0;  ///< inner nodes of three or five quads
+  double strain = 0;    ///< how far it stretches edges, about; 0 is best
   std::vector<std::array<std::uint16_t, 4>> quads;
 };
 

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kShortest = 0.4, kLongest = 1.8;  // edge over local size
 constexpr int kLaplaceSweeps = 10;
+constexpr std::uint32_t kManyNodes = 8;  // from so many on, places are found by over-relaxation
+constexpr double kOverRelaxation = 1.5;
 
 // Sums up the quality of quads; the mean beta is the arithmetic one, as a flat quad must not decide alone.
 class Measure {
@@ -136,12 +138,16 @@ void Trial::make_stars() {
 
 void Trial::place_inner_nodes() {
   if (n_own_ == n_rim_) return;
-  for (int sweep = 0; sweep < kLaplaceSweeps; ++sweep) {
+  const std::uint32_t n_inner = n_own_ - n_rim_;
+  const int sweeps = kLaplaceSweeps + static_cast<int>(3 * std::sqrt(n_inner));
+  const double relax = n_inner < kManyNodes ? 1 : kOverRelaxation;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::uint32_t v = n_rim_; v < n_own_; ++v) {
       Point sum;
       for (std::uint32_t i = star_begin_[v]; i < star_begin_[v + 1]; ++i)
         sum += nodes_[star_[i].next].at + nodes_[star_[i].previous].at;
-      nodes_[v].at = (0.5 / (star_begin_[v + 1] - star_begin_[v])) * sum;
+      const Point mean = (0.5 / (star_begin_[v + 1] - star_begin_[v])) * sum;
+      nodes_[v].at += relax * (mean - nodes_[v].at);
     }
   }
 }

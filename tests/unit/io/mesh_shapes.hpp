@@ -32,7 +32,7 @@ inline Mesh plate_with_lines(NodeIndex nx = 2, NodeIndex ny = 2) {
   for (NodeIndex j = 0; j < ny; ++j) middle.edges.push_back({node(nx, j), node(nx, j + 1)});
   EdgeSet bent{"bent", CurveKind::Line, {}};
   for (NodeIndex j = ny / 2; j < ny; ++j) bent.edges.push_back({node(nx, j), node(nx, j + 1)});
-  for (NodeIndex i = nx; i < 2 * nx; ++i) bent.edges.push_back({node(i, ny), node(i + 1, ny)});
+  for (NodeIndex i = nx; i > 0; --i) bent.edges.push_back({node(i, ny), node(i - 1, ny)});
   mesh.curves = {outer, middle, bent};
   mesh.node_sets = {{"corner", {node(0, 0)}}, {"load", {node(nx, ny / 2)}}};
   return mesh;

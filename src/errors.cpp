@@ -1,0 +1,31 @@
+#include "quadline/errors.hpp"
+
+#include <charconv>
+
+namespace quadline {
+
+namespace {
+
+std::string text_of(double x) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
+  return {buffer, end};
+}
+
+std::string one_line(const std::string& message, const Where& where) {
+  std::string text;
+  if (!where.file.empty()) text += where.file + ": ";
+  if (!where.place.empty()) text += where.place + ": ";
+  text += message;
+  if (where.point) text += " at (" + text_of(where.point->x) + ", " + text_of(where.point->y) + ")";
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+Error::Error(const std::string& message, Where where)
+    : std::runtime_error(one_line(message, where)), where_(std::move(where)) {}
+
+}  // namespace quadline

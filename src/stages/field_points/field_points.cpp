@@ -1,0 +1,58 @@
+#include "stages/field_points/field_points.hpp"
+
+#include "base/check.hpp"
+#include "geom/predicates.hpp"
+#include "stages/field_points/insertion.hpp"
+#include "stages/triangulate/delaunay.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr int kRounds = 2;
+
+bool stays_positive(const WorkMesh& mesh, NodeId v, Point p) {
+  const Topology& topo = mesh.topo();
+  bool positive = true;
+  topo.for_each_out(v, [&](HalfId h) {
+    const HalfId rim = topo.next(h);
+    if (positive) positive = orientation(p, mesh.point(topo.tail(rim)), mesh.point(topo.head(rim))) > 0;
+  });
+  return positive;
+}
+
+// Evens out the distances of free nodes, and keeps the triangles Delaunay.
+void relax(WorkMesh& mesh) {
+  const Topology& topo = mesh.topo();
+  std::vector<EdgeId> suspects;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
+      const NodeId v(i);
+      if (!topo.is_live(v) || !mesh.is_free(v)) continue;
+      Point mean;
+      int n = 0;
+      topo.for_each_out(v, [&](HalfId h) {
+        mean += mesh.point(topo.head(h));
+        ++n;
+      });
+      const Point p = (1.0 / n) * mean;
+      if (stays_positive(mesh, v, p)) mesh.move(v, p);
+    }
+    for (std::size_t i = 0; i < topo.edge_capacity(); ++i)
+      if (topo.is_live(EdgeId(i))) suspects.push_back(EdgeId(i));
+    restore_delaunay(mesh, suspects);
+  }
+}
+
+}  // namespace
+
+void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, Context& context) {
+  if (triangles == Triangles::Front) march_from_constraints(mesh, size, context);
+  subdivide_edges(mesh, size, context);
+  mesh.drop_outside();
+  mesh.compact();
+  if (triangles == Triangles::Delaunay) relax(mesh);
+  QUADLINE_DEBUG_CHECK(defect(mesh).empty());
+}
+
+}  // namespace quadline

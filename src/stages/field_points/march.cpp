@@ -1,0 +1,75 @@
+// Rows of points from the constraints inwards, so that the triangles are halves of squares and their legs are ready to
+// become side edges. After the frontal point placement of [Remacle2013], with the frame of the row that a point
+// continues in place of a cross field: rows follow the features and meet half-way between them.
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+#include "stages/field_points/insertion.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr Spacing kSpacing{0.7, 0.55, true};
+
+struct Seed {
+  NodeId node;
+  Point direction;  // in which the next point of the row is wanted; unit
+  double reach;     // its distance in parts of the local size
+  bool sideways;    // whether rows may also leave to the left and right
+};
+
+Point rotated(Point v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+// The inner directions of each sector of a constraint node: where its side edges will be.
+void seeds_of(const WorkMesh& mesh, NodeId v, std::vector<Seed>& seeds) {
+  mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) {
+    const int k = quads_for_angle(angle);
+    const Point edge = mesh.point(mesh.topo().head(first)) - mesh.point(v);
+    const Point along = (1 / norm(edge)) * edge;
+    for (int i = 1; i < k; ++i) {
+      const double reach = std::fmin(1.4, 1 / std::sin(std::fmin(angle / k, std::numbers::pi / 2)));
+      seeds.push_back({v, i * angle / k == std::numbers::pi / 2 ? left_normal(along) : rotated(along, i * angle / k),
+                       reach, false});
+    }
+  });
+}
+
+}  // namespace
+
+void march_from_constraints(WorkMesh& mesh, const SizeField& size, Context& context) {
+  const Topology& topo = mesh.topo();
+  Insertion insertion(mesh, size);
+  std::queue<Seed> queue;
+  std::vector<Seed> seeds;
+  const std::size_t n_start = topo.node_capacity();
+  for (std::size_t i = 0; i < n_start; ++i) {
+    seeds.clear();
+    seeds_of(mesh, NodeId(i), seeds);
+    for (const Seed& s : seeds) queue.push(s);
+  }
+  std::size_t steps = 0;
+  while (!queue.empty()) {
+    const Seed s = queue.front();
+    queue.pop();
+    if (++steps % 4096 == 0) context.progress("field points", 0.5);
+    const Point from = mesh.point(s.node);
+    const auto propose = [&](Point d, double reach) {
+      const double h = size.at(from + (0.5 * reach * size.at(from)) * d);
+      const Point p = from + (reach * h) * d;
+      const FaceId f = insertion.walk(s.node, p);
+      if (!f.valid()) return;
+      if (const NodeId v = insertion.try_insert(p, f, kSpacing, d); v.valid()) queue.push({v, d, 1, true});
+    };
+    propose(s.direction, s.reach);
+    if (!s.sideways) continue;
+    propose(left_normal(s.direction), 1);
+    propose(-1.0 * left_normal(s.direction), 1);
+  }
+}
+
+}  // namespace quadline
