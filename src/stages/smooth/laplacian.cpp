@@ -6,6 +6,8 @@ namespace quadline {
 
 namespace {
 
+constexpr double kSound = 0.81;  // squared sine above which a star need not improve
+
 Point centroid(const Stars& stars, std::size_t i) {
   // Each neighbour by an edge ends one quad and begins the next; on the boundary the two outer ones count once.
   Point sum;
@@ -25,14 +27,14 @@ void laplacian(Stars& stars, int passes, double min_move) {
     bool moved = false;
     for (const std::uint32_t i : stars.take_awake()) {
       const Point from = stars.at(i);
-      const double before = worst_jacobian(stars, i, from);
+      const double before = worst_sine2(stars, i, from);
       const Point wanted = centroid(stars, i);
       double part = 1;
       for (int halvings = 0; halvings < 3; ++halvings, part *= 0.5) {
         Point p = from + part * (wanted - from);
         if (stars.slides(i)) p = stars.slid(i, p).point;
-        const double after = worst_jacobian(stars, i, p);
-        if (after < before && after < 0.9) continue;
+        const double after = worst_sine2(stars, i, p);
+        if (after < before && after < kSound) continue;
         if (distance(p, from) > min_move * stars.size(i)) {
           stars.move(i, p);
           stars.wake(i);

@@ -9,8 +9,8 @@ namespace quadline {
 
 namespace {
 
-constexpr double kFlat = 0.02;       // scaled Jacobian below which a star is treated as tangled
-constexpr double kKeepAbove = 0.25;  // no star falls below it, or below what it was
+constexpr double kFlat = 0.0004;       // squared sine below which a star is treated as tangled
+constexpr double kKeepAbove = 0.0625;  // no star falls below it, or below what it was
 
 struct Derivatives {
   double value = 0;
@@ -86,7 +86,7 @@ void optimize(Stars& stars, int passes, double min_move, int power) {
     bool moved = false;
     for (const std::uint32_t i : stars.take_awake()) {
       const Point from = stars.at(i);
-      const double h = stars.size(i), before = worst_jacobian(stars, i, from);
+      const double h = stars.size(i), before = worst_sine2(stars, i, from);
       const bool tangled = before < kFlat;
       const Barrier barrier(tangled ? 0.2 * h * h : 0, power);
       const Derivatives e = energy(stars, i, from, barrier);
@@ -95,7 +95,7 @@ void optimize(Stars& stars, int passes, double min_move, int power) {
         if (norm(step) < min_move * h) break;
         Point p = from + step;
         if (stars.slides(i)) p = stars.slid(i, p).point;
-        const double after = worst_jacobian(stars, i, p);
+        const double after = worst_sine2(stars, i, p);
         if (!tangled && after < std::fmin(before, kKeepAbove)) continue;
         if (energy(stars, i, p, barrier).value >= e.value) continue;
         if (distance(p, from) < min_move * h) break;

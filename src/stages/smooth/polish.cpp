@@ -1,7 +1,6 @@
 // Pattern search on the mean logarithm of beta. Beta is not smooth where a corner is right, and it does not see
 // stretch, so the search is guarded: corners keep their worst, and the inverse mean ratio stands in the objective as a
 // ballast.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,54 +10,59 @@ namespace quadline {
 
 namespace {
 
-constexpr double kFloor = 0.8;                         // scaled Jacobian that a star may fall to, if it was better
+constexpr double kFloor2 = 0.64;                       // squared sine that a star may fall to, if it was better
 constexpr double kBallast = 0.15;                      // weight of the inverse mean ratio
 constexpr double kFirstStep = 0.08, kLastStep = 0.01;  // of the local size
-constexpr double kBadBeta = 1e-6;
+constexpr double kLeastBeta = 1e-6;
+constexpr double kLeastGain = 1e-4;  // of the logarithm
 
-// The worth of a place, or -infinity where the worst corner falls below `least`.
-double worth(const Stars& stars, std::size_t i, Point p, double least) {
-  double sum = 0;
+// The worth of a place, or -infinity where the worst corner falls below `least2`.
+double worth(const Stars& stars, std::size_t i, Point p, double least2) {
+  double product = 1, ballast = 0;
   for (const Spoke& s : stars.spokes(i)) {
-    const QuadPoints q = quad_of(stars, s, p);
-    if (scaled_jacobian(q) < least) return -INFINITY;
-    sum += std::log(std::fmax(quad_distortion(q), kBadBeta)) - kBallast * std::fmin(inverse_mean_ratio(q), 100);
+    const QuadMeasure q(stars, s, p);
+    if (q.least_sine2() < least2) return -INFINITY;
+    product *= std::fmax(q.beta(), kLeastBeta);
+    ballast += q.inverse_mean_ratio();
   }
-  return sum;
+  return std::log(product) - kBallast * ballast;
 }
 
 }  // namespace
 
+// Each node keeps a step of its own, halved when none of its neighbours' places is better.
 void polish(Stars& stars, int passes, double min_move) {
   constexpr std::array<Point, 8> kDirections{
       {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}}};
+  std::vector<double> step(stars.count(), kFirstStep);
+  const double last_step = std::fmax(kLastStep, min_move);
   stars.wake_all();
   for (int pass = 0; pass < passes; ++pass) {
-    bool moved = false;
-    for (const std::uint32_t i : stars.take_awake()) {
+    const std::vector<std::uint32_t> awake = stars.take_awake();
+    if (awake.empty()) return;
+    for (const std::uint32_t i : awake) {
       const Point from = stars.at(i);
-      const double h = stars.size(i);
-      const double least = std::fmin(kFloor, worst_jacobian(stars, i, from));
+      const double reach = step[i] * stars.size(i);
+      const double least2 = std::fmin(kFloor2, worst_sine2(stars, i, from));
       Point best = from;
-      double most = worth(stars, i, from, least);
-      for (double step = kFirstStep * h; step > kLastStep * h; step *= 0.5) {
-        const Point centre = best;
-        for (const Point d : kDirections) {
-          Point p = centre + step * d;
-          if (stars.slides(i)) p = stars.slid(i, p).point;
-          const double w = worth(stars, i, p, least);
-          if (w > most + 1e-9) {
-            most = w;
-            best = p;
-          }
-        }
+      const double before = worth(stars, i, from, least2);
+      double most = before;
+      for (const Point d : kDirections) {
+        Point p = from + reach * d;
+        if (stars.slides(i)) p = stars.slid(i, p).point;
+        const double w = worth(stars, i, p, least2);
+        if (w <= most) continue;
+        most = w;
+        best = p;
       }
-      if (distance(best, from) < min_move * h) continue;
-      stars.move(i, best);
-      stars.wake(i);
-      moved = true;
+      if (most > before + kLeastGain) {
+        stars.move(i, best);
+        stars.wake(i);
+      } else if (step[i] > 2 * last_step) {
+        step[i] *= 0.5;
+        stars.wake_self(i);
+      }
     }
-    if (!moved) return;
   }
 }
 

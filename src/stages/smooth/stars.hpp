@@ -43,6 +43,7 @@ class Stars {
 
   /// Marks node i and all that share a quad with it for the next sweep.
   void wake(std::size_t i);
+  void wake_self(std::size_t i) { awake_[i] = 1; }
   void wake_all();
   /// Nodes marked since the last call, in order.
   std::vector<std::uint32_t> take_awake();
