@@ -17,6 +17,7 @@ std::string to_mesh_json(const Mesh& mesh);  ///< "quadline-mesh" version 1: the
 /// Each reader throws InputError for what it cannot read, with `file` and the line or byte.
 /// Memory stays within a fixed multiple of the bytes given, whatever counts they claim.
 Mesh parse_vtu(std::string_view bytes, const std::string& file);
+Mesh parse_vtk(std::string_view bytes, const std::string& file);  ///< legacy VTK, text and binary: no names
 Mesh parse_msh(std::string_view bytes, const std::string& file);  ///< 2.2 and 4.1, text and binary
 Mesh parse_inp(std::string_view bytes, const std::string& file);
 Mesh parse_mesh_json(std::string_view bytes, const std::string& file);

@@ -2,7 +2,6 @@
 // node lines, sets. Everything else is passed over.
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "io/inp_contents.hpp"
@@ -12,17 +11,31 @@
 namespace quadline {
 namespace {
 
-constexpr const char* kQuads[] = {"S4",   "S4R",   "S4RS",  "S4RSW", "S4R5",  "CPS4",  "CPS4R", "CPS4I",
-                                  "CPE4", "CPE4R", "CPE4I", "CAX4",  "CAX4R", "CAX4I", "M3D4",  "M3D4R",
-                                  "R3D4", "CPS4H", "CPE4H", "DS4",   "DC2D4", "SFM3D4"};
-constexpr const char* kTriangles[] = {"S3",   "S3R",  "S3RS", "STRI3", "CPS3",  "CPE3",
-                                      "CAX3", "M3D3", "R3D3", "DS3",   "DC2D3", "SFM3D3"};
-constexpr const char* kLines[] = {"B31", "B31R", "B31H", "B31OS", "B33",   "B21",  "B21H",
-                                  "B23", "T3D2", "T2D2", "T3D2H", "T2D2H", "T3D2T"};
+// Families of element types. Behind the family stands the number of nodes (in beams a digit for the order, 1 or 3 for
+// two nodes), then letters for the formulation, which does not matter here.
+constexpr std::string_view kFaces[] = {"S",   "STRI", "DS",    "CPS",  "CPE",  "CPEG", "CAX",
+                                       "M3D", "R3D",  "SFM3D", "DC2D", "AC2D", "DCAX"};
+constexpr std::string_view kTrusses[] = {"T2D", "T3D"};
+constexpr std::string_view kBeams[] = {"B2", "B3"};
 
+/// The number between the family and the letters of the formulation; empty where the type is of no such family.
 template <std::size_t N>
-bool is_one_of(const std::string& text, const char* const (&list)[N]) {
-  return std::find(std::begin(list), std::end(list), text) != std::end(list);
+std::string_view digits_behind(std::string_view type, const std::string_view (&families)[N]) {
+  for (const std::string_view family : families) {
+    if (type.substr(0, family.size()) != family) continue;
+    const std::string_view rest = type.substr(family.size());
+    const std::string_view digits = rest.substr(0, rest.find_first_not_of("0123456789"));
+    if (!digits.empty()) return digits;
+  }
+  return {};
+}
+
+/// Nodes of an element of a type in upper case: 2, 3 or 4; 0 for types that are not read.
+std::size_t nodes_of(std::string_view type) {
+  const std::string_view face = digits_behind(type, kFaces), beam = digits_behind(type, kBeams);
+  if (face == "4") return 4;
+  if (face == "3") return 3;
+  return digits_behind(type, kTrusses) == "2" || beam == "1" || beam == "3" ? 2 : 0;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -124,7 +137,7 @@ void Reader::read_card() {
 
 void Reader::start_elements() {
   const std::string type = upper_case(card_.value("TYPE"));
-  nodes_of_type_ = is_one_of(type, kQuads) ? 4 : is_one_of(type, kTriangles) ? 3 : is_one_of(type, kLines) ? 2 : 0;
+  nodes_of_type_ = nodes_of(type);
   if (nodes_of_type_ == 0)
     fail("elements of type '" + type + "' are not read: shells, plane elements and lines of first order are");
   set_of_elements_ = card_.has("ELSET") ? &contents_.element_sets.named(card_.value("ELSET")) : nullptr;

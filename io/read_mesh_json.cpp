@@ -1,7 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "io/found_mesh.hpp"
 #include "io/mesh_formats.hpp"
+#include "io/parse_json.hpp"
+#include "quadline/errors.hpp"
 
 namespace quadline {
 namespace {
@@ -145,15 +146,7 @@ Mesh Reader::read(const Json& root) {
 }  // namespace
 
 Mesh parse_mesh_json(std::string_view bytes, const std::string& file) {
-  Json root;
-  try {
-    root = Json::parse(bytes);
-  } catch (const Json::parse_error& error) {
-    SourceFile{bytes, file}.fail_at_line(error.byte, "not JSON here");
-  } catch (const Json::out_of_range&) {
-    SourceFile{bytes, file}.fail("a number is too large");
-  }
-  return Reader(file).read(root);
+  return Reader(file).read(parse_json(bytes, file));
 }
 
 }  // namespace quadline

@@ -8,12 +8,16 @@
 
 namespace quadline {
 
-/// Model v1. @throws InputError  with the JSON path, or line and column where the text is no JSON.
+// The formats of `read_model`, from memory. docs/input.md describes them.
+
+/// Model v1. Numbers are checked to be numbers, not to make sense: that is for `arrange`. Model::size is 0 where none
+/// is given.
+/// @throws InputError  with the JSON path, or line and column where the text is no JSON.
 Model read_model_json(std::string_view text, const std::string& file);
 
-/// Triangle's planar straight-line graph. Its boundary loops become outer loops and holes, all other segments lines; it
-/// has no target size, so Model::size is 0.
-/// @param file  its folder is searched for the .node file where the points are not in the text.
+/// Triangle's planar straight-line graph [Triangle]. Its boundary loops become outer loops and holes, all other
+/// segments lines; it has no target size, so Model::size is 0.
+/// @param file  beside it stands the .node file, where the vertices are not in the text.
 /// @throws InputError  with the line.
 Model read_model_poly(std::string_view text, const std::filesystem::path& file);
 

@@ -155,7 +155,7 @@ void Reader::read_element_nodes(Element& element, const ElementType& type) {
 }
 
 void Reader::read_elements_4() {
-  static const Groups kNoGroups;
+  const Groups* const no_groups = kept({});
   const std::size_t n_blocks = count(1);
   for (int i = 0; i < 3; ++i) size();
   for (std::size_t block = 0; block < n_blocks; ++block) {
@@ -166,7 +166,7 @@ void Reader::read_elements_4() {
     for (std::size_t n = count(binary_ ? 16 : 4); n > 0; --n) {
       Element element{};
       element.at = in_.at();
-      element.groups = groups == contents_.of_entity.end() ? &kNoGroups : &groups->second;
+      element.groups = groups == contents_.of_entity.end() ? no_groups : &groups->second;
       element.number = size();
       read_element_nodes(element, type);
     }

@@ -12,8 +12,6 @@
 namespace quadline {
 namespace {
 
-enum VtkCell : std::int64_t { kVertex = 1, kLine = 3, kTriangle = 5, kQuad = 9 };
-
 class Reader {
  public:
   explicit Reader(const SourceFile& file) : file_(file) {}
@@ -27,13 +25,10 @@ class Reader {
   template <class T>
   std::vector<T> values(const pugi::xml_node& array);
   std::vector<std::int64_t> cell_values(const pugi::xml_node& piece, const char* name, std::size_t n_cells);
-  struct Cell {
-    std::int64_t type;
-    const std::int64_t* nodes;
-    std::size_t n_nodes;
+  struct Tags {
     std::int64_t region, curve, point;  ///< -1: none
   };
-  void add_cell(const Cell& cell, std::size_t first_node, std::size_t n_nodes);
+  void add_cell(std::int64_t type, const std::array<NodeIndex, 4>& n, const Tags& tags);
   [[noreturn]] void fail(const pugi::xml_node& at, const std::string& message) const {
     file_.fail_at_byte(static_cast<std::size_t>(std::max<std::ptrdiff_t>(at.offset_debug(), 0)), message);
   }
@@ -145,41 +140,26 @@ std::vector<std::int64_t> Reader::cell_values(const pugi::xml_node& piece, const
   return out;
 }
 
-void Reader::add_cell(const Cell& cell, std::size_t first_node, std::size_t n_nodes) {
+void Reader::add_cell(std::int64_t type, const std::array<NodeIndex, 4>& n, const Tags& tags) {
   Mesh& mesh = found_.mesh;
-  std::array<NodeIndex, 4> n{};
-  const std::size_t expected = cell.type == kVertex     ? 1
-                               : cell.type == kLine     ? 2
-                               : cell.type == kTriangle ? 3
-                               : cell.type == kQuad     ? 4
-                                                        : 0;
-  if (expected == 0)
-    file_.fail("cell type " + std::to_string(cell.type) +
-               " is not read: only vertices, lines, triangles and quads are");
-  if (cell.n_nodes != expected) file_.fail("a cell has a wrong number of nodes");
-  for (std::size_t i = 0; i < expected; ++i) {
-    if (cell.nodes[i] < 0 || static_cast<std::uint64_t>(cell.nodes[i]) >= n_nodes)
-      file_.fail("a cell names node " + std::to_string(cell.nodes[i]) + ", which is not there");
-    n[i] = static_cast<NodeIndex>(first_node + static_cast<std::size_t>(cell.nodes[i]));
-  }
   const auto is_known = [](std::int64_t id, std::size_t count) {
     return id >= 0 && static_cast<std::uint64_t>(id) < count;
   };
-  if (cell.type == kVertex) {
-    if (is_known(cell.point, mesh.node_sets.size())) mesh.node_sets[cell.point].nodes.push_back(n[0]);
-    return;
-  }
-  if (cell.type == kLine) {
-    if (is_known(cell.curve, mesh.curves.size())) mesh.curves[cell.curve].edges.push_back({n[0], n[1]});
-    return;
-  }
-  const auto region = static_cast<std::uint32_t>(is_known(cell.region, mesh.regions.size()) ? cell.region : 0);
-  if (cell.type == kTriangle) {
-    mesh.triangles.push_back({n[0], n[1], n[2]});
-    mesh.triangle_region.push_back(region);
-  } else {
-    mesh.quads.push_back(n);
-    mesh.quad_region.push_back(region);
+  const auto region = static_cast<std::uint32_t>(is_known(tags.region, mesh.regions.size()) ? tags.region : 0);
+  switch (type) {
+    case kVtkVertex:
+      if (is_known(tags.point, mesh.node_sets.size())) mesh.node_sets[tags.point].nodes.push_back(n[0]);
+      break;
+    case kVtkLine:
+      if (is_known(tags.curve, mesh.curves.size())) mesh.curves[tags.curve].edges.push_back({n[0], n[1]});
+      break;
+    case kVtkTriangle:
+      mesh.triangles.push_back({n[0], n[1], n[2]});
+      mesh.triangle_region.push_back(region);
+      break;
+    default:
+      mesh.quads.push_back(n);
+      mesh.quad_region.push_back(region);
   }
 }
 
@@ -204,9 +184,9 @@ void Reader::read_piece(const pugi::xml_node& piece) {
     const std::int64_t end = offsets[i];
     if (end < start || static_cast<std::uint64_t>(end) > connectivity.size())
       fail(cells, "offset " + std::to_string(end) + " is wrong");
-    add_cell(
-        {types[i], connectivity.data() + start, static_cast<std::size_t>(end - start), region[i], curve[i], point[i]},
-        first_node, found_.z.size() - first_node);
+    const VtkCellNodes cell{types[i], connectivity.data() + start, static_cast<std::size_t>(end - start)};
+    const auto nodes = checked_nodes(cell, first_node, found_.z.size() - first_node, file_);
+    add_cell(types[i], nodes, {region[i], curve[i], point[i]});
     start = end;
   }
 }

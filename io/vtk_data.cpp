@@ -167,4 +167,23 @@ std::vector<T> vtk_values(std::string_view bytes, std::string_view type, bool sw
 template std::vector<double> vtk_values(std::string_view, std::string_view, bool, const SourceFile&, std::size_t);
 template std::vector<std::int64_t> vtk_values(std::string_view, std::string_view, bool, const SourceFile&, std::size_t);
 
+std::array<NodeIndex, 4> checked_nodes(const VtkCellNodes& cell, std::size_t first, std::size_t count,
+                                       const SourceFile& file) {
+  const std::size_t expected = cell.type == kVtkVertex     ? 1
+                               : cell.type == kVtkLine     ? 2
+                               : cell.type == kVtkTriangle ? 3
+                               : cell.type == kVtkQuad     ? 4
+                                                           : 0;
+  if (expected == 0)
+    file.fail("cell type " + std::to_string(cell.type) + " is not read: vertices, lines, triangles and quads are");
+  if (cell.n_nodes != expected) file.fail("a cell has a wrong number of nodes");
+  std::array<NodeIndex, 4> out{};
+  for (std::size_t i = 0; i < expected; ++i) {
+    if (cell.nodes[i] < 0 || static_cast<std::uint64_t>(cell.nodes[i]) >= count)
+      file.fail("a cell names node " + std::to_string(cell.nodes[i]) + ", which is not there");
+    out[i] = static_cast<NodeIndex>(first + static_cast<std::size_t>(cell.nodes[i]));
+  }
+  return out;
+}
+
 }  // namespace quadline

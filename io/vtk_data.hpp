@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 #include "io/found_mesh.hpp"
 
 namespace quadline {
+
+/// The types of cells that a plane mesh of first order has.
+enum VtkCell : std::uint8_t { kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9 };
 
 constexpr std::size_t kMostInflation = 1032;  ///< no deflate stream grows by more
 
@@ -31,5 +35,17 @@ std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding&
 template <class T>
 std::vector<T> vtk_values(std::string_view bytes, std::string_view type, bool swapped, const SourceFile& file,
                           std::size_t at);
+
+/// A cell as VTK files give it.
+struct VtkCellNodes {
+  std::int64_t type;
+  const std::int64_t* nodes;  ///< indices into the points of its piece
+  std::size_t n_nodes;
+};
+
+/// Its nodes as indices into all points, of which `first` of those before and `count` of its piece are there.
+/// @throws InputError  it is of another type, or its nodes are not there.
+std::array<NodeIndex, 4> checked_nodes(const VtkCellNodes& cell, std::size_t first, std::size_t count,
+                                       const SourceFile& file);
 
 }  // namespace quadline

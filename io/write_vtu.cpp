@@ -15,14 +15,13 @@
 #include "io/mesh_formats.hpp"
 #include "io/names.hpp"
 #include "io/number_text.hpp"
+#include "io/vtk_data.hpp"
 
 namespace quadline {
 namespace {
 
 constexpr std::size_t kBlockBytes = 1 << 20;
 constexpr int kCompressionLevel = 1;  // higher levels cost much more time than they save bytes
-
-enum VtkCell : std::uint8_t { kVertex = 1, kLine = 3, kTriangle = 5, kQuad = 9 };
 
 /// The arrays behind the XML header.
 class Appended {
@@ -93,13 +92,13 @@ struct Cells {
 void add_faces(const Mesh& mesh, Cells& cells) {
   for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
     const QuadPoints quad = corners(mesh, mesh.quads[i]);
-    cells.add(kQuad, mesh.quads[i]);
+    cells.add(kVtkQuad, mesh.quads[i]);
     cells.tag(mesh.quad_region[i], -1, -1);
     cells.measure(quad_distortion(quad), scaled_jacobian(quad));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto triangle = corners(mesh, mesh.triangles[i]);
-    cells.add(kTriangle, mesh.triangles[i]);
+    cells.add(kVtkTriangle, mesh.triangles[i]);
     cells.tag(mesh.triangle_region[i], -1, -1);
     cells.measure(triangle_distortion(triangle[0], triangle[1], triangle[2]), scaled_jacobian(triangle));
   }
@@ -109,14 +108,14 @@ void add_curves_and_points(const Mesh& mesh, Cells& cells) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t c = 0; c < mesh.curves.size(); ++c) {
     for (const auto& edge : mesh.curves[c].edges) {
-      cells.add(kLine, edge);
+      cells.add(kVtkLine, edge);
       cells.tag(-1, static_cast<std::int64_t>(c), -1);
       cells.measure(kNone, kNone);
     }
   }
   for (std::size_t p = 0; p < mesh.node_sets.size(); ++p) {
     for (const NodeIndex node : mesh.node_sets[p].nodes) {
-      cells.add(kVertex, std::array{node});
+      cells.add(kVtkVertex, std::array{node});
       cells.tag(-1, -1, static_cast<std::int64_t>(p));
       cells.measure(kNone, kNone);
     }

@@ -25,6 +25,7 @@ class Classifier {
     for (const Route& route : work_.routes) {
       if (route.kind == CurveKind::Hole) check_hole(route);
     }
+    report_touching();
   }
 
  private:
@@ -92,7 +93,8 @@ class Classifier {
     } else if (loops.size() > 1) {
       message = "loops '" + loops[0]->name + "' and '" + loops[1]->name + "' overlap: make one loop of them";
     } else {
-      message = name + " lies inside another outer loop, or crosses itself: make it a hole, or give its points in order";
+      message =
+          name + " lies inside another outer loop, or crosses itself: make it a hole, or give its points in order";
     }
     throw InputError(message, work_.where(loops.back()->where, at));
   }
@@ -117,11 +119,11 @@ class Classifier {
   void check_hole(const Route& hole) {
     bool is_in_outer = false, bounds = false, is_whole = true;
     for (const DirectedCurve& use : hole.uses) {
-      const Face& left = parts_.faces[parts_.face_at(2 * use.curve.value)];
-      const Face& right = parts_.faces[parts_.face_at(2 * use.curve.value + 1)];
-      is_in_outer = is_in_outer || left.outer > 0 || right.outer > 0;
-      bounds = bounds || left.is_inside() || right.is_inside();
-      is_whole = is_whole && (left.is_inside() || right.is_inside());
+      const bool is_left = use.reversed == (hole.area < 0);
+      const Half within = 2 * use.curve.value + (is_left ? 0 : 1);
+      is_in_outer = is_in_outer || parts_.faces[parts_.face_at(within)].outer > 0;
+      bounds = bounds || parts_.is_kept(use.curve);
+      is_whole = is_whole && parts_.is_kept(use.curve);
     }
     if (hole.uses.empty() || (bounds && is_whole)) return;
     const Point at = work_.pieces[hole.uses[0].curve].curve.a;
@@ -132,6 +134,23 @@ class Classifier {
     const std::string text = bounds ? "reaches over another loop: what they cover together is cut away"
                                     : "lies in another hole: it cuts away nothing";
     work_.findings.push_back({"'" + hole.name + "' " + text, hole.where, at});
+  }
+
+  void report_touching() {
+    IdVector<VertexId, const Route*> owner(work_.vertices.count(), nullptr);
+    std::set<std::pair<const Route*, const Route*>> pairs;
+    for (const Route& route : work_.routes) {
+      if (route.kind == CurveKind::Line) continue;
+      for (const DirectedCurve& use : route.uses) {
+        const Piece& piece = work_.pieces[use.curve];
+        const VertexId v = use.reversed ? piece.head : piece.tail;
+        if (owner[v] && owner[v] != &route && pairs.insert({owner[v], &route}).second) {
+          const std::string text = "'" + route.name + "' touches '" + owner[v]->name + "'";
+          work_.findings.push_back({text, route.where, work_.vertices[v].at});
+        }
+        owner[v] = &route;
+      }
+    }
   }
 
   Work& work_;

@@ -1,5 +1,4 @@
-// Last step of `arrange`: drops what lies outside, joins pieces again where nothing needs the vertex between them, and
-// hands out names and sizes.
+// Last step of `arrange`: what lies inside, with names and sizes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,14 +15,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Builder {
  public:
-  Builder(Work& work, const Subdivision& parts) : work_(work), parts_(parts), rays_(work, parts.component_of) {}
+  Builder(Work& work, const Subdivision& parts)
+      : work_(work), parts_(parts), joints_(find_joints(work, parts)), rays_(work, parts.component_of) {}
 
   Domain run() {
     out_.size = work_.size;
     out_.tolerance = work_.tolerance;
-    list_routes();
-    find_joints();
-    keep_two_on_circles();
     add_cells();
     add_curves();
     add_walks();
@@ -36,91 +33,8 @@ class Builder {
   }
 
  private:
-  bool is_kept(CurveId piece) const {
-    return parts_.is_inside(2 * piece.value) || parts_.is_inside(2 * piece.value + 1);
-  }
-
-  void find(const std::string& text, const std::string& place, Point at) { work_.findings.push_back({text, place, at}); }
-
-  /// Which routes run along each piece, without repeats.
-  void list_routes() {
-    routes_.assign(work_.pieces.count(), {});
-    for (std::uint32_t r = 0; r < work_.routes.size(); ++r) {
-      for (const DirectedCurve& use : work_.routes[r].uses) {
-        std::vector<std::uint32_t>& routes = routes_[use.curve];
-        if (routes.empty() || routes.back() != r) routes.push_back(r);
-      }
-    }
-  }
-
-  /// A joint is a vertex that nothing needs: computed, with two pieces of the same step of a path and nothing else.
-  void find_joints() {
-    IdVector<VertexId, int> degree(work_.vertices.count(), 0);
-    into_.assign(work_.vertices.count(), CurveId());
-    out_of_.assign(work_.vertices.count(), CurveId());
-    for (std::size_t i = 0; i < work_.pieces.count(); ++i) {
-      const Piece& piece = work_.pieces[CurveId(i)];
-      if (!is_kept(CurveId(i))) continue;
-      ++degree[piece.tail];
-      ++degree[piece.head];
-      into_[piece.head] = CurveId(i);
-      out_of_[piece.tail] = CurveId(i);
-    }
-    is_joint_.assign(work_.vertices.count(), false);
-    for (std::size_t i = 0; i < work_.vertices.count(); ++i) {
-      const VertexId v(i);
-      if (degree[v] != 2 || !into_[v].valid() || !out_of_[v].valid() || into_[v] == out_of_[v]) continue;
-      const Piece& a = work_.pieces[into_[v]];
-      const Piece& b = work_.pieces[out_of_[v]];
-      is_joint_[v] = work_.vertices[v].rank >= Rank::Crossing && a.origin == b.origin &&
-                     a.curve.is_arc() == b.curve.is_arc() && routes_[into_[v]] == routes_[out_of_[v]];
-    }
-    for (const VertexId v : work_.point_vertex) is_joint_[v] = false;
-  }
-
-  /// A whole circle keeps two vertices, so that no curve ends where it starts: its own and one opposite.
-  void keep_two_on_circles() {
-    std::vector<bool> is_seen(work_.pieces.count(), false);
-    for (std::size_t i = 0; i < work_.pieces.count(); ++i) {
-      if (!is_kept(CurveId(i)) || is_seen[i]) continue;
-      const VertexId start = work_.pieces[CurveId(i)].tail;
-      if (is_joint_[start]) continue;
-      const VertexId end = mark_chain(CurveId(i), is_seen);
-      if (end == start) keep_opposite(CurveId(i));
-    }
-    // What is left are circles of joints alone.
-    for (std::size_t i = 0; i < work_.pieces.count(); ++i) {
-      if (!is_kept(CurveId(i)) || is_seen[i]) continue;
-      is_joint_[work_.pieces[CurveId(i)].tail] = false;
-      mark_chain(CurveId(i), is_seen);
-      keep_opposite(CurveId(i));
-    }
-  }
-
-  /// Marks the pieces from `first` on up to a vertex that is no joint, and returns it.
-  VertexId mark_chain(CurveId first, std::vector<bool>& is_seen) const {
-    VertexId at;
-    for (CurveId piece = first;; piece = out_of_[at]) {
-      is_seen[piece.value] = true;
-      at = work_.pieces[piece].head;
-      if (!is_joint_[at]) return at;
-    }
-  }
-
-  /// Keeps the joint that is nearest to the other side of the circle from the start of `first`, and moves it there.
-  void keep_opposite(CurveId first) {
-    const CurvePiece& curve = work_.pieces[first].curve;
-    const Point spoke = curve.a - curve.center;
-    const Point opposite = curve.center - (curve.radius / norm(spoke)) * spoke;
-    VertexId best;
-    for (VertexId v = work_.pieces[first].head; is_joint_[v]; v = work_.pieces[out_of_[v]].head) {
-      const double d = distance(work_.vertices[v].at, opposite);
-      if (!best.valid() || d < distance(work_.vertices[best].at, opposite)) best = v;
-    }
-    QUADLINE_CHECK(best.valid() && curve.is_arc());
-    is_joint_[best] = false;
-    work_.vertices[best].at = opposite;
-    moved_.insert(best);
+  void find(const std::string& text, const std::string& place, Point at) {
+    work_.findings.push_back({text, place, at});
   }
 
   void add_cells() {
@@ -141,16 +55,16 @@ class Builder {
     curve_of_.assign(work_.pieces.count(), CurveId());
     for (std::size_t i = 0; i < work_.pieces.count(); ++i) {
       const Piece& first = work_.pieces[CurveId(i)];
-      if (!is_kept(CurveId(i)) || is_joint_[first.tail]) continue;
+      if (!parts_.is_kept(CurveId(i)) || joints_.is_joint[first.tail]) continue;
       double sweep = 0;
       VertexId head;
-      for (CurveId piece(i);; piece = out_of_[head]) {
+      for (CurveId piece(i);; piece = joints_.out_of[head]) {
         curve_of_[piece.value] = out_.curves.end_id();
         sweep += work_.pieces[piece].curve.sweep;
         head = work_.pieces[piece].head;
-        if (!is_joint_[head]) break;
+        if (!joints_.is_joint[head]) break;
       }
-      if (moved_.count(first.tail) || moved_.count(head)) sweep = std::copysign(std::numbers::pi, sweep);
+      if (joints_.moved.count(first.tail) || joints_.moved.count(head)) sweep = std::copysign(std::numbers::pi, sweep);
       Domain::Curve curve{.tail = vertex(first.tail), .head = vertex(head)};
       const Point a = work_.vertices[first.tail].at, b = work_.vertices[head].at;
       // Arcs lie on the circle that the model gives, whatever the tolerance did to their ends.
@@ -163,7 +77,7 @@ class Builder {
       curve.left = cell_of_[parts_.face_at(static_cast<Half>(2 * i))];
       curve.right = cell_of_[parts_.face_at(static_cast<Half>(2 * i + 1))];
       curve.size = kInfinity;
-      for (const std::uint32_t r : routes_[CurveId(i)]) curve.size = std::min(curve.size, work_.routes[r].size);
+      for (const std::uint32_t r : joints_.routes[CurveId(i)]) curve.size = std::min(curve.size, work_.routes[r].size);
       out_.curves.push_back(curve);
     }
   }
@@ -175,16 +89,20 @@ class Builder {
     if (!goes_on) chain.push_back({curve, reversed});
   }
 
+  /// A closed chain may have started in the middle of a curve.
+  static void close(std::vector<DirectedCurve>& chain) {
+    const bool is_cut = chain.size() > 1 && chain.front().curve == chain.back().curve &&
+                        chain.front().reversed == chain.back().reversed;
+    if (is_cut) chain.pop_back();
+  }
+
   void add_walks() {
     for (std::size_t f = 0; f < parts_.faces.size(); ++f) {
       if (!cell_of_[f].valid()) continue;
       for (const std::uint32_t walk : parts_.faces[f].walks) {
         std::vector<DirectedCurve> chain;
         for (const Half half : parts_.walks[walk]) append(chain, piece_of(half), is_reversed(half));
-        // The walk may have started in the middle of a curve.
-        const bool is_cut = chain.size() > 1 && chain.front().curve == chain.back().curve &&
-                            chain.front().reversed == chain.back().reversed;
-        if (is_cut) chain.pop_back();
+        close(chain);
         out_.cells[cell_of_[f]].walks.push_back(std::move(chain));
       }
     }
@@ -200,7 +118,7 @@ class Builder {
       Point left_at, repeated_at;
       for (const DirectedCurve& use : route.uses) {
         const Piece& piece = work_.pieces[use.curve];
-        if (!is_kept(use.curve)) {
+        if (!parts_.is_kept(use.curve)) {
           if (!is_outside) left_at = work_.vertices[use.reversed ? piece.head : piece.tail].at;
           is_outside = true;
         } else if (!used.insert(use.curve).second) {
@@ -211,9 +129,7 @@ class Builder {
           report_shared(r, use.curve, shared);
         }
       }
-      const bool is_cut = path.curves.size() > 1 && path.curves.front().curve == path.curves.back().curve &&
-                          path.curves.front().reversed == path.curves.back().reversed;
-      if (is_cut) path.curves.pop_back();
+      close(path.curves);
       if (is_repeated) find("'" + route.name + "' runs over itself: taken once", route.where, repeated_at);
       if (is_outside && route.kind == CurveKind::Line) {
         const bool is_gone = path.curves.empty();
@@ -225,7 +141,7 @@ class Builder {
   }
 
   void report_shared(std::uint32_t route, CurveId piece, std::set<std::pair<std::uint32_t, std::uint32_t>>& shared) {
-    for (const std::uint32_t other : routes_[piece]) {
+    for (const std::uint32_t other : joints_.routes[piece]) {
       if (other >= route || !shared.insert({other, route}).second) continue;
       find("'" + work_.routes[route].name + "' runs along '" + work_.routes[other].name + "': one curve for both",
            work_.routes[route].where, work_.pieces[piece].curve.a);
@@ -265,7 +181,8 @@ class Builder {
         find("the name '" + given + "' is given twice: the second is called '" + name + "'", point.where, point.at);
       }
       if (first_use[v] != UINT32_MAX) {
-        find("points '" + work_.model.points[first_use[v]].name + "' and '" + name + "' are one", point.where, point.at);
+        find("points '" + work_.model.points[first_use[v]].name + "' and '" + name + "' are one", point.where,
+             point.at);
       }
       first_use[v] = i;
       out_.points.push_back({.name = name, .vertex = vertex(v), .size = point.size.value_or(kInfinity)});
@@ -282,8 +199,8 @@ class Builder {
         continue;
       }
       if (const Region* first = holder[cell.value]) {
-        find("regions '" + first->name + "' and '" + region.name + "' lie in one cell: the first names it", region.where,
-             region.at);
+        find("regions '" + first->name + "' and '" + region.name + "' lie in one cell: the first names it",
+             region.where, region.at);
         continue;
       }
       holder[cell.value] = &region;
@@ -301,13 +218,10 @@ class Builder {
 
   Work& work_;
   const Subdivision& parts_;
+  Joints joints_;
   RayCaster rays_;
   Domain out_;
-  IdVector<CurveId, std::vector<std::uint32_t>> routes_;  ///< along each piece
-  IdVector<VertexId, CurveId> into_, out_of_;              ///< a piece that ends, that starts at each vertex
-  IdVector<VertexId, bool> is_joint_;
-  std::set<VertexId> moved_;
-  std::vector<CellId> cell_of_;  ///< of every face
+  std::vector<CellId> cell_of_;    ///< of every face
   std::vector<CurveId> curve_of_;  ///< of every piece
   IdVector<VertexId, VertexId> vertex_of_;
 };

@@ -1,8 +1,8 @@
 // Third step of `arrange`, second half: walks, and which walks bound the same face.
 //
 // Every connected component of the curves has one walk that sees it from outside: the one with negative area. A ray
-// from the component's lowest point tells on which face of the others it lies; the lowest component comes first, so that
-// the face below is always known.
+// from the component's lowest point tells on which face of the others it lies; the lowest component comes first, so
+// that the face below is always known.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -120,8 +120,7 @@ class Subdivider {
       offer(curve.b);
       if (curve.is_arc()) {
         const Point bottom = curve.center + curve.radius * down;
-        const double side = cross(curve.b - curve.a, bottom - curve.a);
-        if (curve.sweep > 0 ? side < 0 : side > 0) offer(bottom);
+        if (is_beside(curve, bottom)) offer(bottom);
       }
     }
   }

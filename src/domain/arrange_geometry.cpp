@@ -1,7 +1,7 @@
 // Measures and meetings of two pieces.
 //
-// Floating-point signs are enough here: ends nearer than the tolerance to the other piece were dealt with before, so the
-// signs that decide stand millions of rounding errors from zero.
+// Floating-point signs are enough here: ends nearer than the tolerance to the other piece were dealt with before, so
+// the signs that decide stand millions of rounding errors from zero.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,12 +11,6 @@
 namespace quadline::arrangement {
 
 namespace {
-
-/// Is a point of the arc's circle on the arc? An arc of at most half a turn lies on one side of its chord.
-bool on_arc_side(const CurvePiece& arc, Point p) {
-  const double side = cross(arc.b - arc.a, p - arc.a);
-  return arc.sweep > 0 ? side <= 0 : side >= 0;
-}
 
 /// Meets of the pieces' supports, as far as they lie on both pieces.
 class Meetings {
@@ -60,7 +54,7 @@ class Meetings {
     const double depth = arc.radius - std::abs(off);
     if (depth < -tolerance_) return;
     const auto add = [&](double at, Point p) {
-      if (at > 0 && at < chord && on_arc_side(arc, p)) keep(p);
+      if (at > 0 && at < chord && is_beside(arc, p)) keep(p);
     };
     if (depth <= tolerance_) {
       return add(foot, arc.center - std::copysign(arc.radius, off) * left_normal(along));
@@ -80,7 +74,7 @@ class Meetings {
     if (apart + std::abs(a.radius - b.radius) <= tolerance_) return;
     if (outer_depth < -tolerance_ || inner_depth < -tolerance_) return;
     const auto add = [&](Point p) {
-      if (on_arc_side(a, p) && on_arc_side(b, p)) keep(p);
+      if (is_beside(a, p) && is_beside(b, p)) keep(p);
     };
     const Point unit = (1 / apart) * axis;
     if (outer_depth <= tolerance_) return add(a.center + a.radius * unit);
@@ -118,6 +112,12 @@ class Meetings {
 
 }  // namespace
 
+bool is_beside(const CurvePiece& arc, Point p) {
+  const double sign = arc.sweep < 0 ? -1 : 1;
+  const Point spoke = p - arc.center;
+  return sign * cross(arc.a - arc.center, spoke) >= 0 && sign * cross(spoke, arc.b - arc.center) >= 0;
+}
+
 double distance_to(const CurvePiece& piece, Point p) {
   if (!piece.is_arc()) {
     const Point chord = piece.b - piece.a;
@@ -129,7 +129,7 @@ double distance_to(const CurvePiece& piece, Point p) {
   }
   const Point spoke = p - piece.center;
   const double off = norm(spoke);
-  if (off > 0 && on_arc_side(piece, piece.center + (piece.radius / off) * spoke)) return std::abs(off - piece.radius);
+  if (is_beside(piece, p)) return std::abs(off - piece.radius);
   return std::min(distance(p, piece.a), distance(p, piece.b));
 }
 

@@ -25,6 +25,7 @@ constexpr double kUnitsInTolerance = 0x1p-48;
 constexpr double kFlatArc = 1.0 / 16;
 // An arc of more than half a turn that is so many times larger than the domain is a mistake.
 constexpr double kFarArc = 100;
+constexpr double kFarPoint = 1e4;
 // Arcs of more than this turn are halved; some way from a half turn, so that rounding does not matter.
 constexpr double kHalfTurn = 3.0;
 
@@ -74,6 +75,11 @@ class Reader {
     if (std::max(std::abs(p.x), std::abs(p.y)) > kLargest) {
       fail("a coordinate is larger than 1e60: use other units", place, p);
     }
+    const Point off{std::max(work_.box.lo.x - p.x, p.x - work_.box.hi.x),
+                    std::max(work_.box.lo.y - p.y, p.y - work_.box.hi.y)};
+    if (std::max(off.x, off.y) > kFarPoint * diagonal_) {
+      fail("a point lies ten thousand times farther off than the domain is large: check its coordinates", place, p);
+    }
   }
 
   void check_path(const Path& path) const {
@@ -89,7 +95,8 @@ class Reader {
       check_point(path.items[i].to, place_of(path, i));
       if (path.items[i].via) check_point(*path.items[i].via, place_of(path, i));
     }
-    if (!path.items.empty() && path.items[0].via) fail("a path starts with a point, not with an arc", place_of(path, 0));
+    if (!path.items.empty() && path.items[0].via)
+      fail("a path starts with a point, not with an arc", place_of(path, 0));
   }
 
   static std::string place_of(const Path& path, std::size_t item) {
@@ -98,8 +105,8 @@ class Reader {
 
   void find_tolerance() {
     if (work_.model.outer.empty()) fail("the model has no outer loop: give the boundary of the domain", "/outer");
-    Box& b = work_.box;
-    b = {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+    Box b{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+    diagonal_ = kInfinity;  // until it is known
     const auto cover = [&b](Point p, double r) {
       b.lo = {std::min(b.lo.x, p.x - r), std::min(b.lo.y, p.y - r)};
       b.hi = {std::max(b.hi.x, p.x + r), std::max(b.hi.y, p.y + r)};
@@ -113,13 +120,16 @@ class Reader {
       }
     }
     const double diagonal = distance(b.lo, b.hi);
+    work_.box = b;
+    diagonal_ = diagonal;
     const double farthest = std::max({std::abs(b.lo.x), std::abs(b.lo.y), std::abs(b.hi.x), std::abs(b.hi.y)});
     work_.tolerance = std::max(kRelativeTolerance * diagonal, kUnitsInTolerance * farthest);
     if (!(diagonal > kSmallest)) {
       fail("the outer loop has no area: it needs three distinct points", work_.model.outer[0].where);
     }
     if (diagonal < 16 * work_.tolerance) {
-      fail("the domain is too small for its distance from the origin: move it nearer", work_.model.outer[0].where, b.lo);
+      fail("the domain is too small for its distance from the origin: move it nearer", work_.model.outer[0].where,
+           b.lo);
     }
   }
 
@@ -128,7 +138,8 @@ class Reader {
     for (int i = 2;; ++i) {
       std::string other = name + "-" + std::to_string(i);
       if (!names_.insert(other).second) continue;
-      work_.findings.push_back({"the name '" + name + "' is given twice: the second is called '" + other + "'", place, at});
+      work_.findings.push_back(
+          {"the name '" + name + "' is given twice: the second is called '" + other + "'", place, at});
       return other;
     }
   }
@@ -240,14 +251,14 @@ class Reader {
       return chord;
     }
     const CurvePiece arc = arc_through(a, via, b);
-    const double diagonal = distance(work_.box.lo, work_.box.hi);
-    if (!arc.is_arc() || (std::abs(arc.sweep) > kHalfTurn && arc.radius > kFarArc * diagonal)) {
+    if (!arc.is_arc() || (std::abs(arc.sweep) > kHalfTurn && arc.radius > kFarArc * diagonal_)) {
       fail("the middle point of an arc lies in line with its ends, but not between them", place, via);
     }
     return arc;
   }
 
   Work work_;
+  double diagonal_ = 0;  ///< of the box of the outer loops
   Route route_;
   std::set<std::string> names_;
 };

@@ -50,9 +50,8 @@ class Ray {
     Crossing first;
     for (const double along : {dot(direction_, to_center) - half, dot(direction_, to_center) + half}) {
       const Point p = from_ + along * direction_;
-      const double side = cross(arc.b - arc.a, p - arc.a);
       const double near_end = std::min(distance(p, arc.a), distance(p, arc.b));
-      const bool is_on = near_end <= margin_ || (arc.sweep > 0 ? side <= 0 : side >= 0);
+      const bool is_on = near_end <= margin_ || is_beside(arc, p);
       if (!(along > 0) || along >= first.along || !is_on) continue;
       const Point tangent = (arc.sweep > 0 ? 1.0 : -1.0) * left_normal(p - arc.center);
       first = {along, cross(direction_, tangent) > 0, near_end > margin_ && depth > margin_};

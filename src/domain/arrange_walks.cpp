@@ -50,9 +50,8 @@ bool is_clockwise(const Spoke& a, const Spoke& b) {
 }
 
 void sort_counter_clockwise(std::vector<Spoke>& spokes) {
-  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
-    return a.angle != b.angle ? a.angle < b.angle : a.half < b.half;
-  });
+  std::sort(spokes.begin(), spokes.end(),
+            [](const Spoke& a, const Spoke& b) { return a.angle != b.angle ? a.angle < b.angle : a.half < b.half; });
   const std::size_t n = spokes.size();
   if (n < 3) return;
   // Cut the circle at its widest gap, where no two spokes are narrow, and mend the order of the narrow ones.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,8 +46,8 @@ struct Route {
   std::string name{};
   CurveKind kind = CurveKind::Line;
   std::string where{};
-  double size = 0;                  ///< infinity: none
-  double area = 0;                  ///< loops: signed, as given
+  double size = 0;                    ///< infinity: none
+  double area = 0;                    ///< loops: signed, as given
   std::vector<DirectedCurve> uses{};  ///< pieces in order
 };
 
@@ -57,7 +58,7 @@ struct Work {
   Box box{};  ///< of the outer loops
   IdVector<VertexId, Vertex> vertices{};
   IdVector<CurveId, Piece> pieces{};
-  std::vector<CurvePiece> steps{};         ///< of the paths, as given; `origin` counts them
+  std::vector<CurvePiece> steps{};       ///< of the paths, as given; `origin` counts them
   std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model
   std::vector<VertexId> point_vertex{};  ///< of every point of the model
   std::vector<Finding> findings{};
@@ -70,13 +71,35 @@ struct Work {
 /// Checks the model and lays out its paths, as they are. @throws InputError
 Work read_input(const Model& model, const Options& options);
 
-/// Merges vertices within the tolerance, cuts pieces at vertices and crossings, drops pieces without length and
-/// repeated ones, until nothing changes. @throws InputError where that does not end.
+/// Merges vertices, cuts pieces at vertices and crossings, drops pieces without length and repeated ones, until nothing
+/// changes. @throws InputError where that does not end.
 void resolve(Work& work, Context& context);
+
+/// A piece is cut at vertices within this part of the tolerance; vertices merge within all of it. So of three vertices
+/// that stand apart no two can lie on the opposite sides, and no two pieces cut each other in turn for ever.
+constexpr double kTouch = 0.5;
+
+/// Makes one vertex of those within the tolerance, the better ranked and earlier first, and one piece of those that
+/// touch all along; drops pieces whose ends have become one. @param report  makes findings of those.
+void merge(Work& work, bool report);
+
+/// A vertex on a piece, at arc length s.
+struct Cut {
+  CurveId piece;
+  double s;
+  VertexId vertex;
+};
+void cut_pieces(Work& work, std::vector<Cut>& cuts);
+
+/// The part of a curve from one arc length to another, with ends that may lie off it by the tolerance.
+CurvePiece cut_curve(const Work& work, const CurvePiece& whole, double from, double to, Point a, Point b);
 
 /// Places where p and q cross or touch, away from their ends; at most two. A lens thinner than the tolerance counts as
 /// one touch. @pre no end of one lies within the tolerance of the other, but for shared ones.
 std::vector<Point> meetings(const Piece& p, const Piece& q, double tolerance);
+
+/// Does p lie in the sector of the arc, as seen from its center? The arc makes at most half a turn.
+bool is_beside(const CurvePiece& arc, Point p);
 
 /// Distance of p from the nearest point of the piece; an arc makes at most half a turn.
 double distance_to(const CurvePiece& piece, Point p);
@@ -126,19 +149,20 @@ class RayCaster {
 /// A connected part of the plane between the curves.
 struct Face {
   std::vector<std::uint32_t> walks{};  ///< the outer one first, but for face 0, the unbounded one
-  int outer = 0, holes = 0;          ///< how many outer loops and holes are round it
+  int outer = 0, holes = 0;            ///< how many outer loops and holes are round it
   bool is_inside() const { return outer - holes == 1; }
 };
 
 struct Subdivision {
-  std::vector<std::vector<Half>> walks;    ///< with the face on their left
-  std::vector<std::uint32_t> walk_of;      ///< of every half-edge
-  std::vector<std::uint32_t> face_of;      ///< of every walk
-  std::vector<std::uint32_t> component_of; ///< connected component of every piece
+  std::vector<std::vector<Half>> walks;     ///< with the face on their left
+  std::vector<std::uint32_t> walk_of;       ///< of every half-edge
+  std::vector<std::uint32_t> face_of;       ///< of every walk
+  std::vector<std::uint32_t> component_of;  ///< connected component of every piece
   std::vector<Face> faces;
 
   std::uint32_t face_at(Half half) const { return face_of[walk_of[half]]; }
   bool is_inside(Half half) const { return faces[face_at(half)].is_inside(); }
+  bool is_kept(CurveId piece) const { return is_inside(2 * piece.value) || is_inside(2 * piece.value + 1); }
 };
 
 /// Walks and faces. @pre resolve(work) is done. @throws InputError where curves cannot be told apart.
@@ -146,6 +170,15 @@ Subdivision subdivide(const Work& work);
 
 /// Counts the loops round every face. @throws InputError where loops overlap, cross themselves, or lie outside.
 void classify(Work& work, Subdivision& parts);
+
+/// Where pieces that are kept are joined to one curve.
+struct Joints {
+  IdVector<VertexId, bool> is_joint;   ///< computed, with two pieces of the same step of a path and nothing else
+  IdVector<VertexId, CurveId> out_of;  ///< of joints: the piece that starts there
+  std::set<VertexId> moved;            ///< kept on a whole circle, opposite to its other vertex
+  IdVector<CurveId, std::vector<std::uint32_t>> routes;  ///< along each piece, without repeats
+};
+Joints find_joints(Work& work, const Subdivision& parts);
 
 /// The domain: what lies inside, with names, sizes and findings.
 Domain to_domain(Work& work, const Subdivision& parts);

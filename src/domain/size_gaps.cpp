@@ -14,14 +14,14 @@ namespace quadline {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kGapStretch = 1.4;     // size in a gap, over its width: a unit edge is 0.7 to 1.4 [BorouchakiGeorge1997]
+constexpr double kGapStretch = 2;       // size in a gap, over its width: one row of quads twice as long as wide
 constexpr double kLeastGapShare = 0.4;  // least size that a gap asks for, over the base size
 constexpr double kWedgeReach = 4;       // features so near along the boundary (in base sizes) meet: no gap
 
 class GapFinder {
  public:
   GapFinder(const Domain& domain, const IdVector<CurveId, double>& sizes, std::vector<SizeSource>& sources)
-      : domain_(domain), sizes_(sizes), sources_(sources), tree_(boxes_of_curves(domain)) {
+      : domain_(domain), sizes_(sizes), sources_(sources), tree_(boxes_of_curves(domain)), points_(boxes_of_points()) {
     measure_walks();
     collect_stars();
   }
@@ -30,8 +30,7 @@ class GapFinder {
     for (std::size_t i = 0; i < domain_.curves.count(); ++i)
       for (bool is_left : {true, false}) look_along_normals(CurveId(i), is_left);
     for (std::size_t i = 0; i < domain_.vertices.count(); ++i) look_around(VertexId(i));
-    for (const Domain::Cell& cell : domain_.cells)
-      for (VertexId v : cell.lone_points) look_around_lone(v, cell);
+    for (std::size_t i = 0; i < lone_.size(); ++i) look_around_lone(i);
   }
 
  private:
@@ -40,10 +39,24 @@ class GapFinder {
     std::uint32_t walk = UINT32_MAX;
     double start = 0;  ///< length of the walk before it
   };
+  struct LonePoint {
+    VertexId vertex;
+    double base;
+  };
   struct Hit {
     CurveId curve;
     double distance = kNone;
   };
+
+  std::vector<Box> boxes_of_points() {
+    std::vector<Box> boxes;
+    for (const Domain::Cell& cell : domain_.cells)
+      for (VertexId v : cell.lone_points) {
+        lone_.push_back({v, cell.size});
+        boxes.push_back({domain_.vertices[v].at, domain_.vertices[v].at});
+      }
+    return boxes;
+  }
 
   void measure_walks() {
     sides_.resize(2 * domain_.curves.count());
@@ -72,9 +85,7 @@ class GapFinder {
     }
   }
 
-  CellId cell_on(CurveId c, bool is_left) const {
-    return is_left ? domain_.curves[c].left : domain_.curves[c].right;
-  }
+  CellId cell_on(CurveId c, bool is_left) const { return is_left ? domain_.curves[c].left : domain_.curves[c].right; }
 
   bool share_vertex(CurveId a, CurveId b) const {
     const Domain::Curve &p = domain_.curves[a], &q = domain_.curves[b];
@@ -115,7 +126,8 @@ class GapFinder {
     const CellId cell = cell_on(id, is_left);
     if (!cell.valid()) return;
     const CurvePiece& piece = domain_.curves[id].piece;
-    const double base = domain_.cells[cell].size, whole = length(piece), reach = std::min(base, sizes_[id]) / kGapStretch;
+    const double base = domain_.cells[cell].size, whole = length(piece),
+                 reach = std::min(base, sizes_[id]) / kGapStretch;
     const double n = std::ceil(std::max(whole / (0.5 * base), piece.is_arc() ? 4 * std::abs(piece.sweep) / 3 : 1.0));
     for (double i = 0; i < n; ++i) {
       const double s = whole * ((i + 0.5) / n);
@@ -184,23 +196,34 @@ class GapFinder {
     const DirectedCurve out = sector(v, q - p);
     const CellId cell = cell_on(out.curve, !out.reversed);
     if (!cell.valid()) return;
-    const double base = domain_.cells[cell].size, size = gap_size(hit.distance, base);
+    const double base = domain_.cells[cell].size;
     for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
       if (share_vertex(star_[k].curve, hit.curve)) return;
     const double start = out.reversed ? length(domain_.curves[out.curve].piece) : 0;
     if (is_wedge(out.curve, !out.reversed, start, hit.curve, is_left_of(other, at, p), at, base)) return;
-    if (size >= base) return;
-    sources_.push_back({p, p, size});
-    sources_.push_back({q, q, size});
+    ask_for_gap(p, q, hit.distance, base);
   }
 
-  void look_around_lone(VertexId v, const Domain::Cell& cell) {
-    const Hit hit = nearest(v, cell.size / kGapStretch);
-    const double size = gap_size(hit.distance, cell.size);
-    if (!hit.curve.valid() || size >= cell.size) return;
+  void look_around_lone(std::size_t i) {
+    const VertexId v = lone_[i].vertex;
+    const double base = lone_[i].base;
     const Point p = domain_.vertices[v].at;
-    const CurvePiece& other = domain_.curves[hit.curve].piece;
-    const Point q = point_at(other, project(other, p));
+    const Hit hit = nearest(v, base / kGapStretch);
+    if (hit.curve.valid()) ask_for_gap(p, point_on(hit.curve, p), hit.distance, base);
+    points_.query(inflated({p, p}, base / kGapStretch), [&](std::uint32_t other) {
+      const Point q = domain_.vertices[lone_[other].vertex].at;
+      if (other > i) ask_for_gap(p, q, distance(p, q), base);
+    });
+  }
+
+  Point point_on(CurveId c, Point p) const {
+    const CurvePiece& piece = domain_.curves[c].piece;
+    return point_at(piece, project(piece, p));
+  }
+
+  void ask_for_gap(Point p, Point q, double gap, double base) {
+    const double size = gap_size(gap, base);
+    if (size >= base) return;
     sources_.push_back({p, p, size});
     sources_.push_back({q, q, size});
   }
@@ -208,7 +231,9 @@ class GapFinder {
   const Domain& domain_;
   const IdVector<CurveId, double>& sizes_;
   std::vector<SizeSource>& sources_;
-  BoxTree tree_;
+  BoxTree tree_;  ///< of the curves
+  std::vector<LonePoint> lone_;
+  BoxTree points_;           ///< of `lone_`
   std::vector<Side> sides_;  ///< 2 * curve + reversed
   std::vector<double> walk_length_;
   std::vector<std::uint32_t> star_start_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kLeastEdgesPerCircle = 8;
-constexpr double kShortStretch = 2;         // size beside a short curve, over its length
+constexpr double kShortStretch = 2;        // size beside a short curve, over its length
 constexpr double kWorthwhile = 0.95;       // of the base size: what asks for hardly less is left out
 constexpr double kCountSlack = 0.25;       // of an edge: a part of a circle may turn a little more per edge
 constexpr double kLeastShortShare = 0.15;  // a lone curve shorter than that part of the size is a nick
@@ -43,7 +43,7 @@ double circle_edges(double radius, double size_around, double edges_per_circle) 
   const double least = std::min(kLeastEdgesPerCircle, edges_per_circle), small = 0.25 * edges_per_circle;
   const double share = std::max(0.0, natural - small) / (edges_per_circle - small);
   const double edges = least + (edges_per_circle - least) * share;
-  return std::clamp(4 * std::round(0.25 * edges), least, edges_per_circle);
+  return std::clamp(4 * std::ceil(0.25 * edges - 0.4), least, edges_per_circle);
 }
 
 double curvature_size(double radius, double edges) {

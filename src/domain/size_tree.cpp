@@ -21,8 +21,7 @@ constexpr std::size_t kMaxNodes = std::size_t{1} << 23;
 
 }  // namespace
 
-SizeTree::SizeTree(const Box& box, const std::vector<SizeSource>& sources,
-                   const std::function<double(Point)>& base_at)
+SizeTree::SizeTree(const Box& box, const std::vector<SizeSource>& sources, const std::function<double(Point)>& base_at)
     : sources_(sources) {
   const double width = box.hi.x - box.lo.x, height = box.hi.y - box.lo.y;
   side_ = std::max(width, height);
@@ -196,7 +195,8 @@ void SizeTree::fill_base(const std::function<double(Point)>& base_at) {
 
 Point SizeTree::place(std::uint32_t corner) const {
   const double unit = side_ / SizeField::kLattice;
-  const auto x = static_cast<std::uint32_t>(corner_key_[corner]), y = static_cast<std::uint32_t>(corner_key_[corner] >> 32);
+  const auto x = static_cast<std::uint32_t>(corner_key_[corner]),
+             y = static_cast<std::uint32_t>(corner_key_[corner] >> 32);
   return {origin_.x + unit * x, origin_.y + unit * y};
 }
 

@@ -24,10 +24,10 @@ class SizeTree {
 
  private:
   struct Node {
-    std::uint32_t below = 0;  ///< first of four children; 0: a leaf
+    std::uint32_t below = 0;     ///< first of four children; 0: a leaf
     std::uint32_t x = 0, y = 0;  ///< lower left corner, in lattice units
     std::uint8_t depth = 0;
-    bool is_border = false;  ///< a border source runs through it
+    bool is_border = false;             ///< a border source runs through it
     std::uint32_t first = 0, last = 0;  ///< leaves: sources that touch it, into `touching_`
   };
 

@@ -1,8 +1,8 @@
 // Straight segments and circular arcs.
 //
-// An arc goes through both of its ends even where they lie a rounding error off its circle: the distance from the centre
-// goes over evenly from one end's to the other's. So pieces that share a vertex stay joined, and where both ends lie on
-// the circle every point does.
+// An arc goes through both of its ends even where they lie a rounding error off its circle: the distance from the
+// centre goes over evenly from one end's to the other's. So pieces that share a vertex stay joined, and where both ends
+// lie on the circle every point does.
 #include "geom/curve.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "stages/cleanup/cleanup.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <queue>
 
 #include "stages/cleanup/grow_patch.hpp"
@@ -21,6 +22,8 @@ constexpr int kFirstSweeps = 3;  // of smoothing before anything is judged
 constexpr int kTrialSweeps = 5;
 constexpr double kFloor = 0.25;  // an edit may lower the least scaled Jacobian by kMayLose, but not below this
 constexpr double kMayLose = 0.1;
+constexpr double kJacobianWorth = 20;  // in valence costs, where something must be mended
+constexpr double kGoodJacobian = 0.5;
 constexpr std::size_t kTries = 3;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 
@@ -99,9 +102,12 @@ class CleanUp {
   }
 
   bool try_shapes(NodeId v);
-  bool try_templates(const Cavity& cavity);
+  bool try_templates(const Cavity& cavity, bool must);
   bool try_patches(NodeId v);
-  bool try_replacement(const Cavity& cavity, int cost_after);
+  bool try_replacement(const Cavity& cavity, int cost_after, bool must);
+  bool carry_out_best();
+  double w_=1;
+  void commit();
   static int least_cost(const WorkMesh& mesh, const Cavity& cavity);
 
   WorkMesh& mesh_;
@@ -118,6 +124,12 @@ class CleanUp {
   std::vector<TemplateTable::RimCosts> rim_costs_;
   std::vector<TemplateTable::Match> matches_;
   std::vector<NodeId> nodes_;
+  struct Attempt {
+    Cavity cavity;
+    Replacement replacement;
+    double gain;
+  };
+  std::optional<Attempt> best_;
 };
 
 void CleanUp::smooth_all() {
@@ -145,16 +157,27 @@ int CleanUp::cost(NodeId v) const {
 }
 
 bool CleanUp::try_shapes(NodeId v) {
+  best_.reset();
+  const bool must = cost(v) >= kBroken;
   for (const Shape& shape : shapes()) {
     sets_.clear();
     shape.propose(mesh_, v, sets_);
     for (std::size_t i = 0; i < sets_.count(); ++i)
-      if (finder_.collect(sets_[i], cavity_) && try_templates(cavity_)) return true;
+      if (finder_.collect(sets_[i], cavity_) && try_templates(cavity_, must)) return true;
   }
-  return false;
+  return carry_out_best();
+}
+bool CleanUp::carry_out_best() {
+  if (!best_) return false;
+  cavity_ = best_->cavity;
+  replacement_ = best_->replacement;
+  trial_.build(cavity_, replacement_);
+  trial_.smooth(kTrialSweeps);
+  commit();
+  return true;
 }
 
-bool CleanUp::try_templates(const Cavity& cavity) {
+bool CleanUp::try_templates(const Cavity& cavity, bool must) {
   int n_broken = 0;
   for (const FaceId f : cavity.faces) n_broken += is_broken(f);
   if (n_broken == 0 && cavity.cost <= least_cost(mesh_, cavity)) return false;
@@ -164,7 +187,6 @@ bool CleanUp::try_templates(const Cavity& cavity) {
     for (int q = 1; q <= TemplateTable::kMaxRimQuads; ++q) c[q] = valence_cost(r.wish, r.outside + q);
     rim_costs_.push_back(c);
   }
-  const bool must = n_broken > 0 || cavity.cost >= kBroken;
   table_.find(rim_costs_, cavity.cost + kBroken * n_broken, must ? kTriesBroken : kTries, matches_);
   for (const TemplateTable::Match& m : matches_) {
     replacement_.inner.assign(m.way->n_inner, NodeId());
@@ -175,13 +197,16 @@ bool CleanUp::try_templates(const Cavity& cavity) {
       const auto& q = m.way->quads[i];
       replacement_.quads.push_back({q[0], q[1], q[2], q[3]});
     }
-    if (try_replacement(cavity, m.cost)) return true;
+    if (try_replacement(cavity, m.cost, must)) return true;
   }
   return false;
 }
 
 bool CleanUp::try_patches(NodeId v) {
+  static const int EX=getenv("EX")?atoi(getenv("EX")):0; static const double W=getenv("W")?atof(getenv("W")):1; w_=W;
+  best_.reset(); int left=EX;
   for (bool more = grower_.start(v); more; more = grower_.grow()) {
+    if (best_ && left--<=0) break;
     const Cavity& patch = grower_.cavity();
     if (grower_.rim_cost() + std::abs(4 - grower_.corner_count()) >= patch.cost) continue;
     for (const Filling& filling : fill_patch(grower_.rim(), kTries)) {
@@ -191,10 +216,10 @@ bool CleanUp::try_patches(NodeId v) {
       std::copy_n(patch.inner.begin(), std::min(patch.inner.size(), replacement_.inner.size()),
                   replacement_.inner.begin());
       replacement_.quads = filling.quads;
-      if (try_replacement(patch, cost_after)) return true;
+      try_replacement(patch, cost_after, true);
     }
   }
-  return false;
+  return carry_out_best();
 }
 
 // What no filling can go below: the sum of the signed differences is the same for all.
@@ -208,7 +233,8 @@ int CleanUp::least_cost(const WorkMesh& mesh, const Cavity& cavity) {
   return std::abs(sum);
 }
 
-bool CleanUp::try_replacement(const Cavity& cavity, int cost_after) {
+// Carries out what is better; where something must be mended, only notes the best.
+bool CleanUp::try_replacement(const Cavity& cavity, int cost_after, bool must) {
   if (!trial_.build(cavity, replacement_)) return false;
   const PatchQuality now = trial_.quality_now();
   trial_.smooth(kTrialSweeps);
@@ -219,13 +245,27 @@ bool CleanUp::try_replacement(const Cavity& cavity, int cost_after) {
     const double floor = std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose));
     if (then.least_jacobian < floor) return false;
     if (then.size_error > std::max(1.0, now.size_error)) return false;
+    static const double SP=getenv("SP")?atof(getenv("SP")):9, BT=getenv("BT")?atof(getenv("BT")):9, ST=getenv("ST")?atof(getenv("ST")):1;
+    if (then.size_spread > std::max(SP, ST*now.size_spread)) return false;
+    if (then.mean_beta < now.mean_beta-BT) return false;
+    static const double KA=getenv("KA")?atof(getenv("KA")):1e9;
+    if ((now.mean_beta-then.mean_beta)*(cavity.faces.size()+trial_.ring().size())>KA*(before-after)) return false;
   }
+  if (!must) {
+    commit();
+    return true;
+  }
+  const double gain = before>=kBroken? before - after + kJacobianWorth * std::min(then.least_jacobian, kGoodJacobian): before-after+w_*(then.mean_beta-now.mean_beta)*(cavity.faces.size()+trial_.ring().size());
+  if (!best_ || gain > best_->gain) best_ = Attempt{cavity, replacement_, gain};
+  return false;
+}
+
+void CleanUp::commit() {
   trial_.commit(mesh_, size_, nodes_);
   for (const NodeId v : nodes_) {
     push(v);
     mesh_.topo().for_each_out(v, [&](HalfId h) { push(mesh_.topo().head(h)); });
   }
-  return true;
 }
 
 }  // namespace

@@ -269,7 +269,7 @@ void Filler::fill(const Outline& o, Filling& filling) {
     const std::size_t k = (i + 1) % n, corner = o.place(i + 1);
     const std::size_t end = k == 0 ? foot[0] + o.nodes.size() : foot[k];
     if (rows[i] > 0 && rows[k] > 0)
-      fill_block(o.part(foot[i], corner), o.part(corner, end), spoke[k], spoke[i], filling);
+      fill_block(o.part(foot[i], corner), o.part(corner, end), spoke[k], backwards(spoke[i]), filling);
   }
 }
 

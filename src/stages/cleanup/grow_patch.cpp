@@ -3,12 +3,13 @@
 #include "stages/cleanup/grow_patch.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace quadline::cleanup {
 
 namespace {
 
-constexpr std::size_t kMostFaces = 150;
+static const std::size_t kMostFaces = getenv("MF")?atoi(getenv("MF")):150;
 constexpr int kMostSteps = 40;
 
 int wanted_inside(const Cavity::RimNode& r) { return r.wish.ideal - r.outside; }

@@ -14,6 +14,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWidestCorner = 165 * kDegree;  // a wider corner at a fixed node makes a degenerate quad
 constexpr double kNearThreshold = 8 * kDegree;
+constexpr double kTie = 2 * kDegree;
 
 Wish wish_for(double angle) {
   Wish wish;
@@ -25,6 +26,7 @@ Wish wish_for(double angle) {
     const int other = quads_for_angle(std::max(angle + step, kDegree));
     if (other != ideal && other >= wish.least) wish.second = static_cast<std::uint8_t>(other);
   }
+  for (const double tie : {225 * kDegree, 315 * kDegree}) wish.is_tie |= std::abs(angle - tie) < kTie;
   return wish;
 }
 
@@ -34,7 +36,7 @@ int valence_cost(const Wish& wish, int quads) {
   const int off = std::abs(quads - wish.ideal);
   if (off == 0) return 0;
   if (quads < wish.least) return wish.on_curve ? kBroken * (wish.least - quads) : 16 * (wish.least - quads);
-  if (quads == wish.second) return 1;
+  if (quads == wish.second) return wish.is_tie ? 0 : 1;
   if (wish.on_curve) return off == 1 ? 2 : 4 * off * off;
   return off == 1 ? 1 : 4 * off * off;
 }

@@ -11,6 +11,7 @@ struct Wish {
   std::uint8_t ideal = 4;   ///< quads that suit the angle best
   std::uint8_t second = 0;  ///< nearly as good, where the angle lies near a threshold; 0: none
   std::uint8_t least = 3;   ///< fewer quads cannot be convex, or form a doublet
+  bool is_tie = false;      ///< `second` is just as good
   bool on_curve = false;
 };
 

@@ -115,6 +115,17 @@ void grown_pairs(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
   });
 }
 
+// Each quad of the node alone: five in the place of one, where a cell has nothing else to give.
+void single_quads(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
+  const Topology& topo = mesh.topo();
+  topo.for_each_out(v, [&](HalfId h) {
+    if (!topo.face(h).valid()) return;
+    sets.begin();
+    sets.add(topo.face(h));
+    sets.end();
+  });
+}
+
 constexpr Shape kShapes[] = {
     {"pair at a spoke", spokes},       // rotation, 3-5 pairs, sectors with a quad too many
     {"pair at a link", links},         // sectors with a quad too few
@@ -122,6 +133,7 @@ constexpr Shape kShapes[] = {
     {"stars of an edge", edge_stars},  // 3-3, 3-5, 5-5 neighbours
     {"grown pair", grown_pairs},       // boundary and line patterns
     {"stars of a diagonal", diagonal_stars},
+    {"quad", single_quads},
 };
 
 }  // namespace

@@ -10,13 +10,14 @@ namespace quadline::cleanup {
 namespace {
 
 constexpr int kMostInnerQuads = 5;  // valences 3 to 5 inside
-constexpr int kMostIrregular = 2;   // inner nodes of three or five quads
 constexpr int kWaysPerRim = 2;      // templates kept of those that do the same to the rim
 struct Family {
-  int n_rim, n_inner;
+  int n_rim;
+  int most_inner;
+  int most_irregular;  // inner nodes of three or five quads
 };
-// How many inner nodes a rim may hold: all that differ in use, within a start-up of some milliseconds.
-constexpr std::array<Family, 5> kFamilies{{{4, 4}, {6, 4}, {8, 4}, {10, 3}, {12, 2}}};
+// All that differ in use, within a start-up of some milliseconds. One quad can only become five, round a smaller one.
+constexpr std::array<Family, 5> kFamilies{{{4, 4, 4}, {6, 4, 3}, {8, 4, 2}, {10, 3, 2}, {12, 2, 2}}};
 
 using Polygons = std::vector<std::vector<std::uint8_t>>;
 
@@ -32,7 +33,7 @@ std::array<std::uint8_t, TemplateTable::kMaxRim> rim_quads(const Template& t) {
 
 class TemplateMaker {
  public:
-  TemplateMaker(int n_rim, int n_inner) : n_rim_(n_rim), n_inner_(n_inner) {}
+  explicit TemplateMaker(const Family& family) : n_rim_(family.n_rim), family_(family) {}
 
   std::vector<Template> make() {
     way_.n_rim = static_cast<std::uint8_t>(n_rim_);
@@ -58,7 +59,7 @@ class TemplateMaker {
       if (quads_[v] < 3) return;
       irregular += quads_[v] != 4;
     }
-    if (irregular > kMostIrregular) return;
+    if (irregular > family_.most_irregular) return;
     way_.inner_cost = static_cast<std::uint8_t>(irregular);
     made_.push_back(way_);
   }
@@ -78,7 +79,7 @@ class TemplateMaker {
   void choose(Polygons& open, const std::vector<std::uint8_t>& p, int i, int j) {
     const int n = static_cast<int>(p.size());
     const bool new_x = i == n, new_y = j == n;
-    if (way_.n_inner + new_x + new_y > n_inner_ || way_.n_quads == Template::kMaxQuads) return;
+    if (way_.n_inner + new_x + new_y > family_.most_inner || way_.n_quads == Template::kMaxQuads) return;
     const int fresh = n_rim_ + way_.n_inner;
     const int x = new_x ? fresh : p[i], y = new_y ? fresh + new_x : p[j];
     const int a = p[0], b = p[1];
@@ -132,7 +133,8 @@ class TemplateMaker {
     open.resize(n_open);
   }
 
-  int n_rim_, n_inner_;
+  int n_rim_;
+  Family family_;
   Template way_;
   std::array<int, kMostNodes> quads_{};
   std::array<std::array<bool, kMostNodes>, kMostNodes> joined_{};
@@ -142,7 +144,7 @@ class TemplateMaker {
 TemplateTable::TemplateTable() {
   branches_.push_back({});  // 0 means none
   for (const Family& family : kFamilies) {
-    std::vector<Template> ways = TemplateMaker(family.n_rim, family.n_inner).make();
+    std::vector<Template> ways = TemplateMaker(family).make();
     root_[family.n_rim] = static_cast<std::uint32_t>(branches_.size());
     branches_.push_back({});
     file(ways);

@@ -26,17 +26,22 @@ class Measure {
     for (int i = 0; i < 4; ++i) {
       const int k = (i + 1) % 4;
       const double ratio = 2 * distance(q[i], q[k]) / (size[i] + size[k]);
+      const double log_ratio = std::log(std::max(ratio, 1e-9));
+      spread_ += log_ratio * log_ratio;
       quality_.size_error = std::max({quality_.size_error, ratio / kLongest, kShortest / std::max(ratio, 1e-9)});
     }
   }
   PatchQuality result() {
-    if (n_ > 0) quality_.mean_beta = sum_ / n_;
+    if (n_ > 0) {
+      quality_.mean_beta = sum_ / n_;
+      quality_.size_spread = spread_ / (4 * n_);
+    }
     return quality_;
   }
 
  private:
   PatchQuality quality_;
-  double sum_ = 0;
+  double sum_ = 0, spread_ = 0;
   int n_ = 0;
 };
 

@@ -16,7 +16,8 @@ struct PatchQuality {
   double least_jacobian = 1;
   double mean_beta = 1;
   int n_broken = 0;       ///< quads that are not convex, or nearly so
-  double size_error = 1;  ///< greatest factor between an edge and the limits of its size; 1: all within
+  double size_error = 1;   ///< greatest factor between an edge and the limits of its size; 1: all within
+  double size_spread = 0;  ///< mean of the squared logarithms of edge over size
 };
 
 /// Builds a replacement beside the mesh, with the quads round the cavity, smooths it there, and measures it: the mesh

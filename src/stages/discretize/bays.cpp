@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "geom/element.hpp"
 #include "mesh/work_mesh.hpp"
@@ -13,6 +14,8 @@
 
 namespace quadline {
 namespace {
+
+constexpr double kRoundsAway = 0.7;  // edges: a lesser difference is hardly more than rounding
 
 Point direction(const Domain& domain, DirectedCurve d, bool at_end) {
   const CurvePiece& piece = domain.curves[d.curve].piece;
@@ -55,12 +58,15 @@ double side_length(const std::vector<CurveId>& side, const IdVector<CurveId, Cou
 
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes) {
   std::vector<Bay> bays;
+  std::size_t next_walk = 0;
   for (const Domain::Cell& cell : domain.cells) {
     std::optional<Bay> bay = as_bay(domain, cell);
+    const std::size_t walk = std::exchange(next_walk, next_walk + cell.walks.size());
     if (!bay) continue;
+    bay->walk = walk;
     for (std::size_t k = 0; k < 2; ++k) {
       const double a = side_length(bay->sides[k], wishes), b = side_length(bay->sides[k + 2], wishes);
-      bay->is_close[k] = std::max(a, b) < kMostEvened * std::min(a, b) || std::abs(a - b) < 1;
+      bay->is_close[k] = std::max(a, b) < kMostEvened * std::min(a, b) || std::abs(a - b) < kRoundsAway;
     }
     if (bay->is_close[0] || bay->is_close[1]) bays.push_back(std::move(*bay));
   }

@@ -1,25 +1,11 @@
 #include "stages/discretize/intervals.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "stages/discretize/bays.hpp"
-#include "stages/discretize/labels.hpp"
+#include "stages/discretize/count_state.hpp"
 
 namespace quadline {
-
-double count_cost(const CountWish& wish, std::uint32_t count) {
-  const double n = count, off = n - wish.length;
-  return off * off / (n * wish.length);
-}
-
-std::uint32_t best_count(const CountWish& wish, std::uint32_t parity) {
-  const double whole = std::floor(std::min(wish.length, 1e9));
-  std::uint32_t low = std::max(wish.least, static_cast<std::uint32_t>(whole));
-  if ((low & 1) != parity) low = low > wish.least ? low - 1 : low + 1;
-  return count_cost(wish, low + 2) < count_cost(wish, low) ? low + 2 : low;
-}
 
 namespace {
 
@@ -46,10 +32,11 @@ void fill_smallest_cells(const Domain& domain, const IdVector<CurveId, CountWish
 IdVector<CurveId, std::uint32_t> choose_counts(const Domain& domain, IdVector<CurveId, CountWish> wishes) {
   const std::vector<Bay> bays = find_bays(domain, wishes);
   even_out(bays, wishes);
-  LabelledCounts labelled(domain, wishes, bays);
-  labelled.choose();
+  CountState state(wishes, bays);
+  label_counts(domain, state);
+  exchange_counts(domain, state);
   IdVector<CurveId, std::uint32_t> counts;
-  for (std::size_t i = 0; i < wishes.count(); ++i) counts.push_back(labelled.count(CurveId(i)));
+  for (std::size_t i = 0; i < wishes.count(); ++i) counts.push_back(state.count(CurveId(i)));
   fill_smallest_cells(domain, wishes, counts);
   return counts;
 }

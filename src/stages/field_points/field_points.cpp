@@ -3,7 +3,7 @@
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
 #include "stages/field_points/insertion.hpp"
-#include "stages/triangulate/delaunay.hpp"
+#include "mesh/delaunay.hpp"
 
 namespace quadline {
 

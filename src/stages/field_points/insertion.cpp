@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geom/predicates.hpp"
-#include "stages/triangulate/delaunay.hpp"
+#include "mesh/delaunay.hpp"
 
 namespace quadline {
 

@@ -5,7 +5,7 @@
 
 #include "geom/predicates.hpp"
 #include "stages/qmorph/morph.hpp"
-#include "stages/triangulate/delaunay.hpp"
+#include "mesh/delaunay.hpp"
 
 namespace quadline {
 

@@ -8,7 +8,7 @@ namespace quadline {
 namespace {
 
 constexpr std::uint32_t kNone = UINT32_MAX;
-constexpr double kLeastGap = 0.3;  // of the way between two neighbours on a curve: how near a node may slide to one
+constexpr double kLeastGap = 0.42;  // of the way between two neighbours on a curve: how near a node may slide to one
 
 }  // namespace
 

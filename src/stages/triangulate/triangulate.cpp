@@ -8,7 +8,7 @@
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
 #include "mesh/recover_edge.hpp"
-#include "stages/triangulate/delaunay.hpp"
+#include "mesh/delaunay.hpp"
 
 namespace quadline {
 
@@ -47,7 +47,7 @@ void insert_nodes(WorkMesh& mesh, std::size_t n, Context& context) {
   for (std::size_t i = 0; i < n; ++i) points.push_back(mesh.point(NodeId(i)));
   NodeId last(n);
   std::size_t done = 0;
-  for (const std::uint32_t i : hilbert_order(points)) {
+  for (const std::uint32_t i : insertion_order(points)) {
     HalfId near = topo.out(last);
     if (!topo.face(near).valid()) near = twin(near);
     const NodeId v(i);
@@ -74,7 +74,8 @@ void recover_segment(WorkMesh& mesh, const Segment& segment, std::vector<Segment
       if (way.obstacle.node.valid()) b = way.obstacle.node;
       h = mesh.topo().find(a, b);
       if (!h.valid()) h = recover_edge(mesh, a, b, way.crossed, made);
-      QUADLINE_CHECK(h.valid());
+      if (!h.valid())
+        throw InternalError("a curve cannot be made an edge", {.file = {}, .place = {}, .point = mesh.point(a)});
     }
     mesh.set_curve(edge_of(h), segment.curve);
     pieces.push_back({a, b, segment.curve});

@@ -142,7 +142,8 @@ class Builder {
   std::size_t smallest_around(Point p) const {
     std::size_t best = walks_.size();
     for (std::size_t w = 0; w < walks_.size(); ++w)
-      if (area(walks_[w]) > 0 && contains(walks_[w], p) && (best == walks_.size() || area(walks_[w]) < area(walks_[best])))
+      if (area(walks_[w]) > 0 && contains(walks_[w], p) &&
+          (best == walks_.size() || area(walks_[w]) < area(walks_[best])))
         best = w;
     return best;
   }

@@ -1,0 +1,166 @@
+#include "cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "io/number_text.hpp"
+#include "quadline/errors.hpp"
+
+namespace quadline {
+
+namespace {
+
+/// An option with a number. The parser's own conversion depends on the locale, and takes "nan" and "0x1p3".
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& help, const std::string& bounds,
+                        const std::function<bool(double)>& set) {
+  const auto read = [name, bounds, set](const std::string& text) {
+    const auto value = parse_number<double>(text);
+    if (!value || !std::isfinite(*value) || !set(*value))
+      throw InputError(name + ": expected " + bounds + ", found '" + text + "'");
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
+}
+
+/// An option with a few words to choose from.
+template <class Choice>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& help, Choice& choice,
+                        const std::pair<const char*, Choice>& first, const std::pair<const char*, Choice>& second) {
+  const auto read = [name, &choice, first, second](const std::string& text) {
+    if (text != first.first && text != second.first)
+      throw InputError(name + ": expected '" + first.first + "' or '" + second.first + "', found '" + text + "'");
+    choice = (text == first.first ? first : second).second;
+  };
+  return app.add_option_function<std::string>(name, read, help)
+      ->type_name(std::string(first.first) + "|" + second.first);
+}
+
+void add_model(CLI::App& app, std::filesystem::path& model) {
+  app.add_option("MODEL", model, "the model: .json (model v1) or .poly (Triangle)")->required()->type_name("");
+}
+
+void add_mesh_file(CLI::App& app, std::filesystem::path& mesh) {
+  app.add_option("MESH", mesh, "the mesh: .vtu, .msh (2.2 or 4.1), .inp or .json")->required()->type_name("");
+}
+
+void add_size(CLI::App& app, Options& options) {
+  add_number(app, "--size", "target edge length, instead of the model's", "a length above 0", [&options](double value) {
+    options.size = value;
+    return value > 0;
+  });
+}
+
+void add_arrangement_options(CLI::App& app, Options& options) {
+  add_size(app, options);
+  const auto set_growth = [&options](double value) {
+    options.growth = value;
+    return value > 1;
+  };
+  add_number(app, "--growth", "largest ratio of the sizes of neighbouring edges; default 1.3", "a number above 1",
+             set_growth);
+  const auto set_per_circle = [&options](double value) {
+    options.edges_per_circle = value;
+    return value >= 4;
+  };
+  add_number(app, "--edges-per-circle", "at least so many edges on a full turn of a curve; default 16",
+             "a number of 4 or more", set_per_circle);
+}
+
+CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App* mesh = app.add_subcommand("mesh", "Mesh a model with quadrilaterals");
+  add_model(*mesh, arguments.model);
+  mesh->add_option("-o,--output", arguments.outputs,
+                   "a file to write: .vtu, .msh, .inp, .svg or .json; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  add_arrangement_options(*mesh, arguments.options);
+  add_choice<LineFronts>(*mesh, "--lines", "where the front on a line constraint starts; default two-sided",
+                         arguments.options.lines, {"one-sided", LineFronts::OneSided},
+                         {"two-sided", LineFronts::TwoSided});
+  add_choice<Triangles>(*mesh, "--triangles", "who makes the triangles that are merged; default delaunay",
+                        arguments.options.triangles, {"delaunay", Triangles::Delaunay}, {"front", Triangles::Front});
+  const auto set_threads = [&arguments](double value) {
+    if (!(value >= 1 && value <= 1024) || value != std::floor(value)) return false;
+    arguments.threads = static_cast<unsigned>(value);
+    return true;
+  };
+  add_number(*mesh, "--threads", "default: all cores; the mesh does not depend on it", "a whole number from 1 to 1024",
+             set_threads);
+  const auto set_max_quads = [&arguments](double value) {
+    arguments.max_quads = value;
+    return value >= 1;
+  };
+  add_number(*mesh, "--max-quads", "refuse models that are expected to need more; default 5e7", "a number of 1 or more",
+             set_max_quads);
+  mesh->add_option("--stages", arguments.stages, "write a .svg and a .vtu after every stage into this folder")
+      ->type_name("DIR");
+  mesh->add_option("--report", arguments.report, "write counts, quality, seconds and memory into this JSON file")
+      ->type_name("FILE");
+  mesh->add_flag("--json", arguments.json, "print the report instead of the table");
+  mesh->add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  mesh->add_flag("--keep-bad", arguments.keep_bad, "write the mesh even if it breaks the promise; exits with 3 still");
+  return mesh;
+}
+
+CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
+  CLI::App* check = app.add_subcommand("check", "Validity and quality of a mesh; exits with 3 where it is not valid");
+  add_mesh_file(*check, arguments.mesh);
+  check->add_option("--model", arguments.model, "check too that the mesh keeps what this model asks for")
+      ->type_name("MODEL");
+  check->add_flag("--all-quad", arguments.all_quad, "triangles make the mesh invalid");
+  check->add_flag("--json", arguments.json, "print JSON instead of the table");
+  return check;
+}
+
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App* info = app.add_subcommand("info", "What a model holds, what was repaired, what is wrong and where");
+  add_model(*info, arguments.model);
+  add_size(*info, arguments.options);
+  info->add_flag("--json", arguments.json, "print JSON instead of the table");
+  return info;
+}
+
+CLI::App* add_draw(CLI::App& app, DrawArguments& arguments) {
+  CLI::App* draw = app.add_subcommand("draw", "A picture of a mesh, coloured by quality, line constraints bold");
+  add_mesh_file(*draw, arguments.mesh);
+  draw->add_option("-o,--output", arguments.output, "the picture: .svg")->required()->type_name("FILE");
+  return draw;
+}
+
+}  // namespace
+
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
+  CLI::App app("Quadline: all-quadrilateral meshes of plane domains, with element edges along every line constraint",
+               "quadline");
+  app.set_version_flag("--version", std::string("quadline ") + QUADLINE_VERSION);
+  MeshArguments mesh;
+  CheckArguments check;
+  InfoArguments info;
+  DrawArguments draw;
+  mesh.threads = std::max(1u, std::thread::hardware_concurrency());
+  const CLI::App* mesh_command = add_mesh(app, mesh);
+  const CLI::App* check_command = add_check(app, check);
+  const CLI::App* info_command = add_info(app, info);
+  add_draw(app, draw);
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // for help or the version
+    app.exit(asked);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw InputError(std::string(error.what()) + ": see 'quadline --help'");
+  }
+  if (app.get_subcommands().empty())
+    throw InputError("expected a command: mesh, check, info or draw: see 'quadline --help'");
+  const CLI::App* chosen = app.get_subcommands().front();
+  if (chosen == mesh_command) return mesh;
+  if (chosen == check_command) return check;
+  if (chosen == info_command) return info;
+  return draw;
+}
+
+}  // namespace quadline

@@ -1,0 +1,100 @@
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/estimate.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/quality_table.hpp"
+#include "domain/arrange.hpp"
+#include "io/mesh_faults.hpp"
+#include "io/mesh_io.hpp"
+#include "io/read_model.hpp"
+#include "io/report_json.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace quadline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What was found out about a mesh.
+struct Verdict {
+  Mesh mesh;
+  Quality quality;
+  std::vector<MeshFault> faults;
+  bool all_quad = false;          ///< asked for
+  std::optional<Failure> broken;  ///< of what the model asks for
+
+  bool is_valid() const {
+    for (const MeshFault& fault : faults)
+      if (fault.count > 0) return false;
+    return !broken && !(all_quad && quality.n_triangles > 0);
+  }
+};
+
+Verdict verdict_on(const CheckArguments& arguments) {
+  Verdict verdict;
+  Context context;
+  context.is_cancelled = is_interrupted;
+  std::optional<Domain> domain;
+  if (!arguments.model.empty()) {
+    Model model = read_model(arguments.model);
+    Options options;
+    if (!(model.size > 0)) options.size = 1;  // whether the mesh fits the model does not depend on the size
+    domain = arrange(model, options, context);
+  }
+  verdict.mesh = read_mesh(arguments.mesh);
+  verdict.quality = measure(verdict.mesh);
+  verdict.faults = find_faults(verdict.mesh);
+  verdict.all_quad = arguments.all_quad;
+  if (domain) verdict.broken = verify(verdict.mesh, *domain, context);
+  return verdict;
+}
+
+std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
+  const Mesh& mesh = verdict.mesh;
+  std::string out = arguments.mesh.string() + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
+                    counted(mesh.triangles.size(), "triangle", "triangles") + ", " +
+                    counted(mesh.points.size(), "node", "nodes") + ", " +
+                    counted(mesh.regions.size(), "region", "regions") + ", " +
+                    counted(mesh.curves.size(), "curve", "curves") + '\n';
+  out += std::string("valid: ") + (verdict.is_valid() ? "yes" : "no") + '\n';
+  for (const MeshFault& fault : verdict.faults) {
+    if (fault.count == 0) continue;
+    const std::string line = std::to_string(fault.count) + ' ' + fault.what + ", the first";
+    out += "  - " + std::string(InputError(line, Where{{}, {}, fault.first}).what()) + '\n';
+  }
+  if (verdict.all_quad && !mesh.triangles.empty()) out += "  - not all elements are quads\n";
+  if (const auto& broken = verdict.broken)
+    out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
+  return out + quality_table(verdict.quality);
+}
+
+Json json_of(const Verdict& verdict, const CheckArguments& arguments) {
+  Json faults = Json::array();
+  for (const MeshFault& fault : verdict.faults) {
+    faults.push_back({{"what", fault.what}, {"count", fault.count}});
+    if (fault.count > 0) faults.back()["first_at"] = quadline::json_of(fault.first);
+  }
+  Json out = {{"file", arguments.mesh.string()}, {"valid", verdict.is_valid()}, {"faults", faults}};
+  if (!arguments.model.empty()) {
+    Json broken;
+    if (const auto& b = verdict.broken) broken = {{"reason", b->reason}, {"at", quadline::json_of(b->at)}};
+    out["model"] = {{"file", arguments.model.string()}, {"kept", !verdict.broken}, {"broken", broken}};
+  }
+  out["quality"] = quadline::json_of(verdict.quality);
+  return out;
+}
+
+}  // namespace
+
+int run(const CheckArguments& arguments) {
+  const Verdict verdict = verdict_on(arguments);
+  print(arguments.json ? text_of(json_of(verdict, arguments)) : text_of(verdict, arguments));
+  return verdict.is_valid() ? kDone : kBrokenPromise;
+}
+
+}  // namespace quadline

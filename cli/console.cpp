@@ -1,0 +1,69 @@
+#include "cli/console.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "quadline/errors.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr std::size_t kMostFindings = 20;
+
+std::string printed(const char* format, int digits, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, digits, value);
+  return text;
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  throw OutputError("standard output cannot be written: " + std::generic_category().message(errno));
+}
+
+void complain(std::string_view text) {
+  const std::string line = "quadline: " + std::string(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void print_findings(const std::vector<Finding>& findings, const std::string& file) {
+  const std::size_t n = std::min(findings.size(), kMostFindings);
+  for (std::size_t i = 0; i < n; ++i)
+    complain(InputError("note: " + findings[i].text, Where{file, findings[i].place, findings[i].at}).what());
+  if (n < findings.size())
+    complain("note: and " + std::to_string(findings.size() - n) + " more: see --report or --json");
+}
+
+std::string fixed(double value, int digits) { return printed("%.*f", digits, value); }
+
+std::string rounded(double value, int digits) { return printed("%.*g", digits, value); }
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + ' ' + (n == 1 ? one : many);
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> width;
+  for (const auto& row : rows) {
+    width.resize(std::max(width.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  std::string out;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string fill(width[i] - row[i].size(), ' ');
+      line += (i == 0 ? "  " : "   ") + (i == 0 ? row[i] + fill : fill + row[i]);
+    }
+    line.resize(line.find_last_not_of(' ') + 1);
+    out += line + '\n';
+  }
+  return out;
+}
+
+}  // namespace quadline

@@ -1,0 +1,175 @@
+#include <sys/resource.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/estimate.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/quality_table.hpp"
+#include "io/atomic_file.hpp"
+#include "io/mesh_io.hpp"
+#include "io/read_model.hpp"
+#include "io/report_json.hpp"
+
+namespace quadline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Seconds and memory of the stages, from the first word that each sends.
+class StageWatch {
+ public:
+  void enter(std::string_view stage) {
+    if (!stages_.empty() && stages_.back().stage == stage) return;
+    leave();
+    stages_.push_back({std::string(stage), 0, 0});
+    start_ = Clock::now();
+    is_open_ = true;
+  }
+
+  void leave() {
+    if (!is_open_) return;
+    stages_.back().elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    stages_.back().peak_bytes = peak_bytes();
+    is_open_ = false;
+  }
+
+  /// The mesher's own times, which leave out what the snapshots take.
+  void correct(const std::vector<StageTime>& times) {
+    for (const StageTime& time : times)
+      for (StageUse& use : stages_)
+        if (use.stage == time.stage) use.elapsed_s = time.elapsed_s;
+  }
+
+  const std::vector<StageUse>& stages() const { return stages_; }
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - born_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::vector<StageUse> stages_;
+  Clock::time_point born_ = Clock::now(), start_ = born_;
+  bool is_open_ = false;
+};
+
+/// Writes what `--stages` asks for: 01-triangulation.svg, 01-triangulation.vtu, ...
+class Snapshots {
+ public:
+  explicit Snapshots(const fs::path& folder) : folder_(folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw OutputError("cannot be made: " + error.message(), Where{folder.string(), {}, {}});
+  }
+
+  void write(std::string_view name, const Mesh& mesh) {
+    const std::string number = std::to_string(++n_);
+    const fs::path stem = folder_ / (std::string(number.size() < 2 ? "0" : "") + number + "-" + std::string(name));
+    for (const char* extension : {".svg", ".vtu"}) write_mesh(mesh, stem.string() + extension);
+  }
+
+ private:
+  fs::path folder_;
+  int n_ = 0;
+};
+
+/// Errors that would come after the work are found before it.
+void check_outputs(const MeshArguments& arguments) {
+  std::vector<fs::path> files = arguments.outputs;
+  for (const fs::path& file : files) {
+    if (!is_mesh_format(file))
+      throw InputError("the format '" + file.extension().string() + "' is unknown: use .vtu, .msh, .inp, .svg or .json",
+                       Where{file.string(), {}, {}});
+  }
+  if (files.empty() && arguments.report.empty() && arguments.stages.empty() && !arguments.json)
+    throw InputError("expected a file to write: give -o FILE");
+  if (!arguments.report.empty()) files.push_back(arguments.report);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Where where{files[i].string(), {}, {}};
+    std::error_code error;
+    if (fs::equivalent(files[i], arguments.model, error)) throw InputError("would overwrite the model", where);
+    for (std::size_t j = 0; j < i; ++j)
+      if (files[i].lexically_normal() == files[j].lexically_normal()) throw InputError("is given twice", where);
+    check_can_write(files[i]);
+  }
+}
+
+void write_files(const MeshArguments& arguments, Run& run, StageWatch& watch) {
+  watch.enter("write");
+  for (const fs::path& file : arguments.outputs) {
+    if (is_interrupted()) throw Cancelled();
+    write_mesh(run.result.mesh, file);
+    run.files.push_back(file);
+  }
+  watch.leave();
+}
+
+std::string summary(const Run& run) {
+  const Report& report = run.result.report;
+  std::string out = run.model.name.empty() ? run.model.file : run.model.name;
+  out += ": " + counted(report.quality.n_quads, "quad", "quads") + ", " +
+         counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
+  out += before_and_after(report.before_smoothing, report.quality);
+  for (const fs::path& file : run.files) out += "written: " + file.string() + '\n';
+  return out;
+}
+
+}  // namespace
+
+int run(const MeshArguments& arguments) {
+  check_outputs(arguments);
+  StageWatch watch;
+  watch.enter("read");
+  Run run;
+  run.version = QUADLINE_VERSION;
+  run.model = read_model(arguments.model);
+  run.options = arguments.options;
+  run.threads = arguments.threads;
+  check_size_given(run.model, run.options);
+  std::optional<Snapshots> snapshots;
+  if (!arguments.stages.empty()) snapshots.emplace(arguments.stages);
+  ProgressBar bar(!arguments.quiet);
+  Context context;
+  context.threads = arguments.threads;
+  context.is_cancelled = is_interrupted;
+  refuse_too_large(run.model, run.options, arguments.max_quads, context);
+  context.on_progress = [&](std::string_view stage, double fraction) {
+    watch.enter(stage);
+    bar.show(stage, fraction);
+  };
+  if (snapshots) context.on_snapshot = [&](std::string_view name, const Mesh& mesh) { snapshots->write(name, mesh); };
+  run.result = generate(run.model, arguments.options, context);
+  watch.leave();
+  watch.correct(run.result.report.stages);
+
+  const auto& failure = run.result.failure;
+  const bool writes = !failure || arguments.keep_bad;
+  bar.show("write", 0);
+  if (writes) write_files(arguments, run, watch);
+  bar.clear();
+  run.stages = watch.stages();
+  run.elapsed_s = watch.elapsed_s();
+  if (writes && !arguments.report.empty()) write_atomically(arguments.report, report_json(run));
+  if (!arguments.quiet) print_findings(run.result.report.findings, run.model.file);
+  if (arguments.json) {
+    print(report_json(run));
+  } else if (!arguments.quiet && writes) {
+    print(summary(run));
+  }
+  if (!failure) return kDone;
+  const InputError error("no valid mesh: " + failure->stage + ": " + failure->reason,
+                         Where{run.model.file, {}, failure->at});
+  complain(error.what());
+  return kBrokenPromise;
+}
+
+}  // namespace quadline

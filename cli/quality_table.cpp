@@ -1,0 +1,55 @@
+#include "cli/quality_table.hpp"
+
+#include <vector>
+
+#include "cli/console.hpp"
+
+namespace quadline {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? "-" : fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + " %";
+}
+
+Row row_of(const std::string& name, const Statistics& s, int digits) {
+  Row row = {name};
+  for (const double value : {s.min, s.p1, s.p5, s.median, s.p95, s.p99, s.max, s.mean})
+    row.push_back(digits < 0 ? rounded(value, 4) : fixed(value, digits));
+  return row;
+}
+
+}  // namespace
+
+std::string before_and_after(const Quality& before, const Quality& after) {
+  const auto row = [&](const char* name, auto text) { return Row{name, text(before), text(after)}; };
+  std::vector<Row> rows = {{"", "before smoothing", "after"}};
+  rows.push_back(row("beta, mean", [](const Quality& q) { return fixed(q.beta_mean, 3); }));
+  rows.back().push_back(std::string(verdict(after.beta_mean)));
+  rows.push_back(row("beta, least", [](const Quality& q) { return fixed(q.beta_min, 3); }));
+  rows.push_back(row("scaled Jacobian, mean", [](const Quality& q) { return fixed(q.scaled_jacobian.mean, 3); }));
+  rows.push_back(row("scaled Jacobian, least", [](const Quality& q) { return fixed(q.scaled_jacobian.min, 3); }));
+  rows.push_back(row("least angle, degrees", [](const Quality& q) { return fixed(q.min_angle_deg.min, 1); }));
+  rows.push_back(row("greatest angle, degrees", [](const Quality& q) { return fixed(q.max_angle_deg.max, 1); }));
+  rows.push_back(row("irregular nodes", [](const Quality& q) { return std::to_string(q.n_irregular); }));
+  rows.back().push_back(share(after.n_irregular, after.n_nodes));
+  return aligned(rows);
+}
+
+std::string quality_table(const Quality& quality) {
+  std::vector<Row> rows = {{"", "least", "1 %", "5 %", "median", "95 %", "99 %", "greatest", "mean"}};
+  rows.push_back({"beta", fixed(quality.beta_min, 3), "", "", "", "", "", "", fixed(quality.beta_mean, 3),
+                  std::string(verdict(quality.beta_mean))});
+  rows.push_back(row_of("scaled Jacobian", quality.scaled_jacobian, 3));
+  rows.push_back(row_of("least angle, degrees", quality.min_angle_deg, 1));
+  rows.push_back(row_of("greatest angle, degrees", quality.max_angle_deg, 1));
+  rows.push_back(row_of("longest / shortest edge", quality.aspect, 2));
+  rows.push_back(row_of("edge length", quality.edge_length, -1));
+  if (quality.edge_to_size) rows.push_back(row_of("edge length / size", *quality.edge_to_size, 2));
+  return aligned(rows) + "  irregular nodes: " + std::to_string(quality.n_irregular) + " (" +
+         share(quality.n_irregular, quality.n_nodes) + ")\n";
+}
+
+}  // namespace quadline

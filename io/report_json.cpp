@@ -1,0 +1,99 @@
+#include "io/report_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace quadline {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Statistics& s) {
+  return {{"min", s.min}, {"p1", s.p1},   {"p5", s.p5},   {"median", s.median},
+          {"p95", s.p95}, {"p99", s.p99}, {"max", s.max}, {"mean", s.mean}};
+}
+
+Json options_of(const Run& run) {
+  const Options& options = run.options;
+  return {{"size", options.size.value_or(run.model.size)},
+          {"growth", options.growth},
+          {"edges_per_circle", options.edges_per_circle},
+          {"lines", options.lines == LineFronts::OneSided ? "one-sided" : "two-sided"},
+          {"triangles", options.triangles == Triangles::Delaunay ? "delaunay" : "front"},
+          {"threads", run.threads}};
+}
+
+Json stages_of(const Run& run) {
+  Json out = Json::array();
+  for (const StageUse& use : run.stages)
+    out.push_back({{"stage", use.stage}, {"seconds", use.elapsed_s}, {"peak_memory_bytes", use.peak_bytes}});
+  return out;
+}
+
+}  // namespace
+
+Json json_of(Point p) { return {p.x, p.y}; }
+
+Json json_of(const Quality& quality) {
+  Json out = {{"nodes", quality.n_nodes},
+              {"quads", quality.n_quads},
+              {"triangles", quality.n_triangles},
+              {"inverted", quality.n_inverted},
+              {"irregular_nodes", quality.n_irregular},
+              {"beta_mean", quality.beta_mean},
+              {"beta_min", quality.beta_min},
+              {"verdict", std::string(verdict(quality.beta_mean))},
+              {"scaled_jacobian", json_of(quality.scaled_jacobian)},
+              {"min_angle_deg", json_of(quality.min_angle_deg)},
+              {"max_angle_deg", json_of(quality.max_angle_deg)},
+              {"aspect", json_of(quality.aspect)},
+              {"edge_length", json_of(quality.edge_length)}};
+  if (quality.edge_to_size) out["edge_to_size"] = json_of(*quality.edge_to_size);
+  return out;
+}
+
+Json json_of(const std::vector<Finding>& findings) {
+  Json out = Json::array();
+  for (const Finding& finding : findings)
+    out.push_back({{"text", finding.text}, {"place", finding.place}, {"at", json_of(finding.at)}});
+  return out;
+}
+
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+std::string report_json(const Run& run) {
+  const Report& report = run.result.report;
+  Json failure;
+  if (const auto& broken = run.result.failure)
+    failure = {{"stage", broken->stage}, {"reason", broken->reason}, {"at", json_of(broken->at)}};
+  Json files = Json::array();
+  for (const auto& file : run.files) files.push_back(file.string());
+  std::size_t peak = 0;
+  for (const StageUse& use : run.stages) peak = std::max(peak, use.peak_bytes);
+  return text_of(
+      {{"format", "quadline-report"},
+       {"version", 1},
+       {"quadline", run.version},
+       {"model", {{"file", run.model.file}, {"name", run.model.name}, {"units", run.model.units}}},
+       {"options", options_of(run)},
+       {"ok", !run.result.failure},
+       {"failure", failure},
+       {"tolerance", report.tolerance},
+       {"counts",
+        {{"cells", report.n_cells},
+         {"curves", report.n_curves},
+         {"vertices", report.n_vertices},
+         {"nodes", report.quality.n_nodes},
+         {"quads", report.quality.n_quads},
+         {"triangles", report.quality.n_triangles}}},
+       {"findings", json_of(report.findings)},
+       {"quality",
+        {{"before_smoothing", json_of(report.before_smoothing)}, {"after_smoothing", json_of(report.quality)}}},
+       {"stages", stages_of(run)},
+       {"seconds", run.elapsed_s},
+       {"peak_memory_bytes", peak},
+       {"files", files}});
+}
+
+}  // namespace quadline

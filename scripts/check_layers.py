@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Checks the arrows of ARCHITECTURE.md: which folder may include which."""
+import os
+import re
+import subprocess
+import sys
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+INCLUDE = re.compile(r'^\s*#include\s+(["<])([^">]+)[">]')
+PUBLIC = "include/quadline"
+ALLOWED = {
+    PUBLIC: {PUBLIC},
+    "src/base": {PUBLIC},
+    "src/geom": {PUBLIC, "src/base"},
+    "src/search": {PUBLIC, "src/base", "src/geom"},
+    "src/topo": {PUBLIC, "src/base"},
+    "src/mesh": {PUBLIC, "src/base", "src/geom", "src/search", "src/topo"},
+    "src/domain": {PUBLIC, "src/base", "src/geom", "src/search"},
+    "src/stages": {PUBLIC, "src/base", "src/geom", "src/search", "src/topo", "src/mesh", "src/domain"},
+    "src": {PUBLIC, "src/base", "src/geom", "src/search", "src/topo", "src/mesh", "src/domain", "src/stages", "src"},
+    "io": {PUBLIC, "src/base", "src/geom", "io", "draw"},
+    "draw": {PUBLIC, "src/base", "src/geom", "draw", "io"},
+    "cli": {PUBLIC, "src/domain", "src/stages/verify", "io", "draw", "cli"},
+}
+THIRD_PARTY = {"nlohmann", "CLI", "pugixml.hpp", "libdeflate.h"}
+
+
+def folder_of(path):
+    parts = path.split("/")
+    if path.startswith(PUBLIC):
+        return PUBLIC
+    if parts[0] == "src" and len(parts) > 2:
+        return "/".join(parts[:3]) if parts[1] == "stages" else "/".join(parts[:2])
+    return parts[0]
+
+
+def resolve(name):
+    for base in ("include", "src", ""):
+        if os.path.exists(os.path.join(ROOT, base, name)):
+            return os.path.join(base, name) if base else name
+    return None
+
+
+def check(path):
+    here = folder_of(path)
+    rule = "src/stages" if here.startswith("src/stages/") else here
+    with open(os.path.join(ROOT, path), encoding="utf-8") as source:
+        for number, line in enumerate(source, 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            name = match.group(2)
+            if "../" in name:
+                yield "%s:%d includes upwards: %s" % (path, number, name)
+            if match.group(1) == "<":
+                if name.split("/")[0] in THIRD_PARTY and here not in ("io", "draw", "cli"):
+                    yield "%s:%d: third-party header %s outside io, draw and cli" % (path, number, name)
+                continue
+            target = resolve(name)
+            if target is None:
+                yield "%s:%d: %s is not there" % (path, number, name)
+                continue
+            there = folder_of(target)
+            allowed = ALLOWED[rule] | {here}
+            if there in allowed or (there.startswith("src/stages/") and "src/stages" in ALLOWED[rule] and rule == "src"):
+                continue
+            yield "%s:%d: %s may not include %s" % (path, number, here, there)
+
+
+def main():
+    files = subprocess.run(["git", "ls-files", "include", "src", "io", "draw", "cli"], cwd=ROOT, capture_output=True,
+                           text=True, check=True).stdout.split()
+    files = [f for f in files if f.endswith((".hpp", ".cpp")) and os.path.exists(os.path.join(ROOT, f))]
+    if not files:
+        print("no sources found")
+        return 1
+    wrong = [w for f in files for w in check(f)]
+    print("\n".join(wrong) or "%d files keep the layers" % len(files))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

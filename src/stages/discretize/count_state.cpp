@@ -1,0 +1,78 @@
+#include "stages/discretize/count_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace quadline {
+
+double count_cost(const CountWish& wish, std::uint32_t count) {
+  const double n = count, off = n - wish.length;
+  return off * off / (n * wish.length);
+}
+
+std::uint32_t best_count(const CountWish& wish, std::uint32_t parity) {
+  const double whole = std::floor(std::min(wish.length, 1e9));
+  std::uint32_t low = std::max(wish.least, static_cast<std::uint32_t>(whole));
+  if ((low & 1) != parity) low = low > wish.least ? low - 1 : low + 1;
+  return count_cost(wish, low + 2) < count_cost(wish, low) ? low + 2 : low;
+}
+
+CountState::CountState(const IdVector<CurveId, CountWish>& wishes, const std::vector<Bay>& bays)
+    : wishes_(wishes), bays_(bays) {
+  parts_.fill(wishes.count(), [&](const auto& visit) {
+    for (std::uint32_t b = 0; b < bays.size(); ++b)
+      for (std::uint32_t k = 0; k < 4; ++k)
+        for (CurveId c : bays[b].sides[k]) visit(c.value, Part{b, k});
+  });
+}
+
+void CountState::start(IdVector<CurveId, std::uint32_t> counts) {
+  counts_ = std::move(counts);
+  sums_.assign(bays_.size(), {});
+  for (std::size_t b = 0; b < bays_.size(); ++b)
+    for (std::size_t k = 0; k < 4; ++k)
+      for (CurveId c : bays_[b].sides[k]) sums_[b][k] += counts_[c];
+}
+
+std::int64_t CountState::gap(std::uint32_t bay, const std::array<std::int64_t, 4>& sums) const {
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (bays_[bay].is_close[k]) sum += std::abs(sums[k] - sums[k + 2]);
+  return sum;
+}
+
+void CountState::apply(const std::vector<Change>& changes, bool forward) {
+  for (const Change& change : changes) {
+    const std::int64_t step = static_cast<std::int64_t>(change.count) - counts_[change.curve];
+    for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
+      sums_[p->bay][p->side] += forward ? step : -step;
+  }
+}
+
+bool CountState::try_changes(const std::vector<Change>& changes) {
+  constexpr double kMinGain = 1e-9;
+  double cost = 0;
+  touched_.clear();
+  for (const Change& change : changes) {
+    const CountWish& wish = wishes_[change.curve];
+    cost += count_cost(wish, change.count) - count_cost(wish, counts_[change.curve]);
+    for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
+      touched_.push_back(p->bay);
+  }
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  std::int64_t wider = 0;
+  for (std::uint32_t bay : touched_) wider -= gap(bay);
+  apply(changes, true);
+  for (std::uint32_t bay : touched_) wider += gap(bay);
+  if (cost + kGapCost * static_cast<double>(wider) >= -kMinGain) {
+    apply(changes, false);
+    return false;
+  }
+  for (const Change& change : changes) counts_[change.curve] = change.count;
+  return true;
+}
+
+}  // namespace quadline

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "domain/domain.hpp"
+#include "stages/discretize/bays.hpp"
+#include "stages/discretize/count_wish.hpp"
+
+namespace quadline {
+
+/// Rows of varying length in one array.
+template <class T>
+class Rows {
+ public:
+  /// Calls `each(visit)` twice, to count and to fill; it calls `visit(row, item)`.
+  template <class Each>
+  void fill(std::size_t n, const Each& each) {
+    start_.assign(n + 1, 0);
+    each([&](std::size_t row, const T&) { ++start_[row + 1]; });
+    for (std::size_t i = 0; i < n; ++i) start_[i + 1] += start_[i];
+    items_.resize(start_[n]);
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    each([&](std::size_t row, const T& item) { items_[next[row]++] = item; });
+  }
+  const T* begin(std::size_t row) const { return items_.data() + start_[row]; }
+  const T* end(std::size_t row) const { return items_.data() + start_[row + 1]; }
+
+ private:
+  std::vector<std::uint32_t> start_;
+  std::vector<T> items_;
+};
+
+/// The counts of all curves while they are being chosen, and what they cost: how far they are from the wishes, and how
+/// far opposite sides of bays are from each other.
+class CountState {
+ public:
+  /// A curve as part of a side of a bay.
+  struct Part {
+    std::uint32_t bay, side;
+  };
+  struct Change {
+    CurveId curve;
+    std::uint32_t count;
+  };
+
+  CountState(const IdVector<CurveId, CountWish>& wishes, const std::vector<Bay>& bays);
+
+  /// Sets all counts.
+  void start(IdVector<CurveId, std::uint32_t> counts);
+
+  std::uint32_t count(CurveId c) const { return counts_[c]; }
+  const CountWish& wish(CurveId c) const { return wishes_[c]; }
+  const std::vector<Bay>& bays() const { return bays_; }
+  const Rows<Part>& parts() const { return parts_; }
+  bool is_in_bay(CurveId c) const { return parts_.begin(c.value) != parts_.end(c.value); }
+
+  /// Edges on a side of a bay.
+  std::int64_t sum(std::uint32_t bay, std::uint32_t side) const { return sums_[bay][side]; }
+  /// How many edges opposite sides differ by that should not: over the two pairs, with these sums.
+  std::int64_t gap(std::uint32_t bay, const std::array<std::int64_t, 4>& sums) const;
+  std::int64_t gap(std::uint32_t bay) const { return gap(bay, sums_[bay]); }
+  const std::array<std::int64_t, 4>& sums(std::uint32_t bay) const { return sums_[bay]; }
+
+  /// Makes the changes if that lowers the cost. @pre no curve occurs twice.
+  bool try_changes(const std::vector<Change>& changes);
+
+  static constexpr double kGapCost = 0.05;  ///< of one edge of `gap`; as one edge off where four are wished
+
+ private:
+  void apply(const std::vector<Change>& changes, bool forward);
+
+  const IdVector<CurveId, CountWish>& wishes_;
+  const std::vector<Bay>& bays_;
+  IdVector<CurveId, std::uint32_t> counts_;
+  Rows<Part> parts_;                               ///< per curve
+  std::vector<std::array<std::int64_t, 4>> sums_;  ///< per bay
+  std::vector<std::uint32_t> touched_;             ///< bays of the changes under test
+};
+
+/// Counts that are even round every cell, and cheap: a spanning forest of the curves that care most, then flips of one
+/// or two labels, and steps of single counts by two, while they gain. Near-linear.
+void label_counts(const Domain& domain, CountState& state);
+
+/// Makes bays equal that no small change makes equal, by one edge more or less on all curves that a closed path across
+/// the cells crosses. Keeps every cell even. Near-linear.
+void exchange_counts(const Domain& domain, CountState& state);
+
+}  // namespace quadline

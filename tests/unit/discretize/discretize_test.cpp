@@ -1,0 +1,295 @@
+#include "stages/discretize/discretize.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "domain/arrange.hpp"
+#include "geom/predicates.hpp"
+#include "tests/unit/domain/size_shapes.hpp"
+
+namespace quadline {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+WorkMesh nodes_of(const Domain& domain, const Options& options = {}) {
+  Context context;
+  return discretize(domain, make_size_field(domain, options, context), context);
+}
+
+std::vector<unsigned> counts(const Domain& domain, const WorkMesh& mesh) {
+  std::vector<unsigned> n(domain.curves.count(), 0);
+  for (const Segment& s : mesh.segments) ++n[s.curve.value];
+  return n;
+}
+
+unsigned edges_round(const Domain::Cell& cell, const std::vector<unsigned>& n) {
+  unsigned sum = 0;
+  for (const auto& walk : cell.walks)
+    for (const DirectedCurve& d : walk) sum += n[d.curve.value];
+  return sum;
+}
+
+/// Tags, order, positions and evenness, as every discretisation promises.
+void expect_sound(const Domain& domain, const WorkMesh& mesh) {
+  const std::vector<unsigned> n = counts(domain, mesh);
+  for (std::size_t v = 0; v < domain.vertices.count(); ++v) {
+    EXPECT_EQ(mesh.tag(NodeId(v)).kind, NodeKind::Fixed);
+    EXPECT_EQ(mesh.tag(NodeId(v)).vertex, VertexId(v));
+    EXPECT_EQ(mesh.point(NodeId(v)), domain.vertices[VertexId(v)].at);
+  }
+  std::size_t k = 0;
+  for (std::size_t c = 0; c < domain.curves.count(); ++c) {
+    const Domain::Curve& curve = domain.curves[CurveId(c)];
+    double last = 0;
+    ASSERT_GE(n[c], 1u);
+    EXPECT_EQ(mesh.segments[k].a, NodeId(curve.tail.value));
+    for (unsigned i = 0; i < n[c]; ++i, ++k) {
+      ASSERT_EQ(mesh.segments[k].curve, CurveId(c));
+      const NodeId b = mesh.segments[k].b;
+      if (i + 1 == n[c]) {
+        EXPECT_EQ(b, NodeId(curve.head.value));
+        continue;
+      }
+      EXPECT_EQ(mesh.segments[k + 1].a, b);
+      EXPECT_EQ(mesh.tag(b).kind, NodeKind::OnCurve);
+      EXPECT_EQ(mesh.tag(b).curve, CurveId(c));
+      EXPECT_GT(mesh.tag(b).s, last);
+      EXPECT_EQ(mesh.point(b), point_at(curve.piece, mesh.tag(b).s));
+      last = mesh.tag(b).s;
+    }
+    EXPECT_LT(last, length(curve.piece));
+  }
+  EXPECT_EQ(k, mesh.segments.size());
+  for (const Domain::Cell& cell : domain.cells) {
+    EXPECT_EQ(edges_round(cell, n) % 2, 0u);
+    EXPECT_GE(edges_round(cell, n), 4u);
+  }
+}
+
+/// Segments meet at common nodes only; exact and quadratic.
+void expect_no_crossing(const WorkMesh& mesh) {
+  std::set<std::pair<NodeId, NodeId>> seen;
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+    const Segment& s = mesh.segments[i];
+    EXPECT_TRUE(seen.insert(std::minmax(s.a, s.b)).second) << "two segments between the same nodes";
+    const Point a = mesh.point(s.a), b = mesh.point(s.b);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Segment& t = mesh.segments[j];
+      if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
+      const Point c = mesh.point(t.a), d = mesh.point(t.b);
+      EXPECT_FALSE(orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+                   orientation(c, d, a) * orientation(c, d, b) <= 0 &&
+                   orientation(a, b, c) * orientation(a, b, c) + orientation(a, b, d) * orientation(a, b, d) > 0)
+          << "segments " << j << " and " << i << " cross at (" << a.x << ", " << a.y << ")";
+    }
+  }
+}
+
+Domain arranged(const Model& model) {
+  Context context;
+  return arrange(model, {}, context);
+}
+
+Model square_model(double side, double size) {
+  Model model;
+  model.size = size;
+  model.outer.push_back({{{{0, 0}, {}}, {{side, 0}, {}}, {{side, side}, {}}, {{0, side}, {}}}, {}, ""});
+  return model;
+}
+
+TEST(Discretize, RectangleGetsEqualEdgesOfTheSize) {
+  const Domain domain = shapes::rectangle(4, 3, 0.5);
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{8, 6, 8, 6}));
+  EXPECT_EQ(mesh.topo().node_capacity(), 28u);
+  for (const Segment& s : mesh.segments) EXPECT_DOUBLE_EQ(distance(mesh.point(s.a), mesh.point(s.b)), 0.5);
+}
+
+TEST(Discretize, TriangleOfOddSidesBecomesEvenWhereItHurtsLeast) {
+  const Domain domain = shapes::Builder({{0, 0}, {9, 0}, {0, 3}}, {{0, 1}, {1, 2}, {2, 0}}, 1).build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{9, 10, 3}));  // 9.49 rather than 9 or 3
+}
+
+TEST(Discretize, LineInsideACellCountsTwiceAndKeepsItsCount) {
+  const Domain domain =
+      shapes::Builder({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 4}, {5, 4}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}}, 1)
+          .build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{8, 8, 8, 8, 3}));
+}
+
+TEST(Discretize, EqualCurvesGetEqualCountsAndHolesTheirQuarters) {
+  const Domain domain = shapes::square_with_hole(10, 1.5, 1);
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{10, 10, 10, 10, 6, 6}));
+}
+
+TEST(Discretize, TinyHoleHasEightEdges) {
+  const Domain domain = shapes::square_with_hole(10, 0.02, 1);
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  const std::vector<unsigned> n = counts(domain, mesh);
+  EXPECT_EQ(n[4], 4u);
+  EXPECT_EQ(n[5], 4u);
+}
+
+TEST(Discretize, LensOfTwoCurvesGetsFourEdges) {
+  // A short chord and its flat arc: one edge each by the sizes, and those two would coincide.
+  const Domain domain = shapes::Builder({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {4, 5}, {5, 5}},
+                                        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {4, 5, Point{4.5, 5.1}}}, 1)
+                            .build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  expect_no_crossing(mesh);
+}
+
+TEST(Discretize, LineSizeAndGrowthHoldAlongTheCurves) {
+  const double fine = 0.1;
+  Domain domain = shapes::Builder({{0, 0}, {20, 0}, {20, 20}, {0, 20}, {8, 10}, {12, 10}},
+                                  {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5, std::nullopt, fine}}, 1)
+                      .build();
+  domain.points.push_back({"corner", VertexId(0), 0.05});
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_NEAR(counts(domain, mesh)[4], 40, 2);
+  std::map<CurveId, double> last;
+  for (const Segment& s : mesh.segments) {
+    const double l = distance(mesh.point(s.a), mesh.point(s.b));
+    const auto [before, is_new] = last.insert({s.curve, l});
+    if (!is_new) {
+      EXPECT_LE(std::max(l / before->second, before->second / l), 1.4);
+      before->second = l;
+    }
+  }
+  EXPECT_NEAR(last[CurveId(3)], 0.05, 0.015);
+}
+
+TEST(Discretize, OppositeSidesOfFourSidedCellsGetEqualCounts) {
+  // A row of bays between two lines that are not quite parallel; wishes from 4.3 to 5.2.
+  std::vector<Point> points;
+  std::vector<shapes::Link> links;
+  for (std::size_t i = 0; i <= 6; ++i) {
+    points.push_back({4.4 * static_cast<double>(i), 0});
+    points.push_back({4.4 * static_cast<double>(i), 4.3 + 0.15 * static_cast<double>(i)});
+    links.push_back({2 * i, 2 * i + 1});
+    if (i == 0) continue;
+    links.push_back({2 * i - 2, 2 * i});
+    links.push_back({2 * i - 1, 2 * i + 1});
+  }
+  const Domain domain = shapes::Builder(points, links, 1).build();
+  ASSERT_EQ(domain.cells.count(), 6u);
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  const std::vector<unsigned> n = counts(domain, mesh);
+  // Links: the first upright, then for each bay its right upright, floor and roof.
+  for (std::size_t i = 1; i <= 6; ++i) {
+    EXPECT_EQ(n[3 * i - 2], n[i == 1 ? 0 : 3 * i - 5]) << i;
+    EXPECT_EQ(n[3 * i - 1], n[3 * i]) << i;
+  }
+}
+
+TEST(Discretize, ChordsNearOtherCurvesAreRefinedUntilTheyDoNotCross) {
+  // A line passes over a large arc at a hundredth of the height of one of its chords.
+  const double r = 10, h = 4;
+  for (double gap : {0.2, 0.02, 0.002}) {
+    const Domain domain = shapes::Builder({{-20, -20},
+                                           {20, -20},
+                                           {20, 20},
+                                           {-20, 20},
+                                           {-r, 0},
+                                           {r, 0},
+                                           {-8, r + gap},
+                                           {8, r + gap},
+                                           {-8, -r + gap},
+                                           {8, -r + gap}},
+                                          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5, Point{0, r}}, {6, 7}}, h)
+                              .build();
+    const WorkMesh mesh = nodes_of(domain);
+    expect_sound(domain, mesh);
+    expect_no_crossing(mesh);
+    // The concentric arc inside lies between the first one and its chords.
+    const double inner = r - gap;
+    const Domain rings =
+        shapes::Builder({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}, {-r, 0}, {r, 0}, {0, inner}, {0, -inner}},
+                        {{0, 1},
+                         {1, 2},
+                         {2, 3},
+                         {3, 0},
+                         {4, 5, Point{0, r}},
+                         {5, 4, Point{0, -r}},
+                         {6, 7, Point{inner, 0}},
+                         {7, 6, Point{-inner, 0}}},
+                        h)
+            .build();
+    const WorkMesh ring_mesh = nodes_of(rings);
+    expect_sound(rings, ring_mesh);
+    expect_no_crossing(ring_mesh);
+  }
+}
+
+TEST(Discretize, LonePointsAreFixedNodes) {
+  Domain domain = shapes::rectangle(10, 10, 1);
+  const VertexId v = domain.vertices.push_back({{4, 5}});
+  domain.cells[CellId(0)].lone_points.push_back(v);
+  domain.points.push_back({"load", v, kNone});
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  EXPECT_EQ(mesh.topo().node_capacity(), 41u);
+}
+
+TEST(Discretize, RandomArrangementsAreEvenEverywhereAndCrossNowhere) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % 81); };
+    Model model = square_model(20, 1 + 0.5 * static_cast<double>(seed % 4));
+    for (unsigned i = 0; i < 4 + seed % 9; ++i) {
+      Line line{"line", {}, {}};
+      if (seed % 3 == 0) line.size = 0.3 + 0.2 * static_cast<double>(random() % 5);
+      if (i % 4 == 3) {
+        line.path.circle = Circle{{5 + 0.5 * coordinate(), 5 + 0.5 * coordinate()}, 0.5 + 0.2 * coordinate()};
+      } else {
+        line.path.items = {{{coordinate(), coordinate()}, {}}, {{coordinate(), coordinate()}, {}}};
+        if (i % 4 == 2) line.path.items[1].via = Point{coordinate(), coordinate()};
+      }
+      model.lines.push_back(line);
+    }
+    Domain domain;
+    try {
+      domain = arranged(model);
+    } catch (const InputError&) {
+      continue;  // an arc of no length, and the like
+    }
+    SCOPED_TRACE(seed);
+    const WorkMesh mesh = nodes_of(domain);
+    expect_sound(domain, mesh);
+    expect_no_crossing(mesh);
+  }
+}
+
+TEST(Discretize, ScalingByAPowerOfTwoScalesEveryNode) {
+  Domain domain = shapes::square_with_hole(10, 0.3, 1);
+  domain.curves[CurveId(2)].size = 0.21;
+  const WorkMesh mesh = nodes_of(domain);
+  for (int k : {-40, -1, 7}) {
+    const double factor = std::ldexp(1.0, k);
+    const WorkMesh other = nodes_of(shapes::scaled(domain, factor));
+    ASSERT_EQ(other.topo().node_capacity(), mesh.topo().node_capacity());
+    for (std::size_t i = 0; i < mesh.topo().node_capacity(); ++i)
+      ASSERT_EQ(other.point(NodeId(i)), factor * mesh.point(NodeId(i)));
+  }
+}
+
+}  // namespace
+}  // namespace quadline
