@@ -1,5 +1,7 @@
 #include "flatten.hpp"
 
+#include <algorithm>
+
 namespace quadline {
 
 namespace {
@@ -89,7 +91,7 @@ Mesh flatten(const WorkMesh& mesh, const Domain& domain) {
     EdgeSet set{path.name, path.kind, {}};
     for (const DirectedCurve& d : path.curves) {
       std::vector<NodeId> nodes = chains.nodes(d.curve);
-      if (d.reversed) nodes.assign(nodes.rbegin(), nodes.rend());
+      if (d.reversed) std::reverse(nodes.begin(), nodes.end());
       for (std::size_t i = 1; i < nodes.size(); ++i) set.edges.push_back({index[nodes[i - 1]], index[nodes[i]]});
     }
     flat.curves.push_back(std::move(set));
