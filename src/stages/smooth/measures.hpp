@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "stages/smooth/stars.hpp"
@@ -31,7 +32,7 @@ struct QuadMeasure {
     double least = 1;
     for (int i = 0; i < 4; ++i) {
       const double lengths = edge2[i] * edge2[(i + 3) % 4];
-      least = std::fmin(least, lengths > 0 ? signed_square(det[i]) / lengths : 0);
+      least = std::min(least, lengths > 0 ? signed_square(det[i]) / lengths : 0.0);
     }
     return least;
   }
@@ -39,8 +40,7 @@ struct QuadMeasure {
   double beta() const {
     const double a = det[1] / (edge2[0] + edge2[1] + diagonal2[0]), b = det[3] / (edge2[2] + edge2[3] + diagonal2[0]);
     const double c = det[0] / (edge2[0] + edge2[3] + diagonal2[1]), d = det[2] / (edge2[1] + edge2[2] + diagonal2[1]);
-    const double ab_low = std::fmin(a, b), ab_high = std::fmax(a, b), cd_low = std::fmin(c, d),
-                 cd_high = std::fmax(c, d);
+    const double ab_low = std::min(a, b), ab_high = std::max(a, b), cd_low = std::min(c, d), cd_high = std::max(c, d);
     // The two least are the smaller of one pair and either the other of it or the smaller of the other pair.
     double low, high;
     if (ab_high <= cd_low) {
@@ -53,7 +53,7 @@ struct QuadMeasure {
       low = ab_low * cd_low;
       high = ab_high * cd_high;
     }
-    return std::fmin(ab_low, cd_low) > 0 ? low / high : 0;
+    return std::min(ab_low, cd_low) > 0 ? low / high : 0;
   }
   /// Mean over the corners, 1 for a square [Knupp2000]; large where a corner is not convex.
   double inverse_mean_ratio() const {
@@ -73,7 +73,7 @@ struct QuadMeasure {
 /// Signed square of the least sine round star i with its node at p.
 inline double worst_sine2(const Stars& stars, std::size_t i, Point p) {
   double least = 1;
-  for (const Spoke& s : stars.spokes(i)) least = std::fmin(least, QuadMeasure(stars, s, p).least_sine2());
+  for (const Spoke& s : stars.spokes(i)) least = std::min(least, QuadMeasure(stars, s, p).least_sine2());
   return least;
 }
 
@@ -83,7 +83,8 @@ inline double worst_sine2(const Stars& stars, std::size_t i, Point p) {
 void laplacian(Stars& stars, int passes, double min_move);
 /// Minimises the inverse mean ratio of the corners, to the power `power` [Knupp2000]; where a star has a corner that is
 /// not convex, a barrier that lets it pass through zero untangles it [Garanzha2021].
-void optimize(Stars& stars, int passes, double min_move, int power);
+/// @param sound  stars whose worst corner has a squared sine above it stay as they are.
+void optimize(Stars& stars, int passes, double min_move, int power, double sound);
 /// Raises the geometric mean of beta without lowering the worst corner below what it is, or a floor.
 void polish(Stars& stars, int passes, double min_move);
 
