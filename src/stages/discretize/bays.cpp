@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 #include "geom/element.hpp"
@@ -30,22 +29,25 @@ int quads_at(const Domain& domain, const std::vector<DirectedCurve>& walk, std::
   return quads_for_angle(corner_angle(-1.0 * in, {0, 0}, out));
 }
 
-std::optional<Bay> as_bay(const Domain& domain, const Domain::Cell& cell) {
-  if (cell.walks.size() != 1 || !cell.lone_points.empty()) return std::nullopt;
+/// The sides of a cell between its corners, at most four; none where it has more, reflex corners, or something inside.
+std::vector<std::vector<CurveId>> sides_of(const Domain& domain, const Domain::Cell& cell) {
+  if (cell.walks.size() != 1 || !cell.lone_points.empty()) return {};
   const auto& walk = cell.walks[0];
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const int quads = quads_at(domain, walk, i);
     if (quads == 1) corners.push_back(i);
-    if (quads > 2 || corners.size() > 4) return std::nullopt;
+    if (quads > 2 || corners.size() > 4) return {};
   }
-  if (corners.size() != 4) return std::nullopt;
-  Bay bay{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    for (std::size_t i = corners[k]; i != corners[(k + 1) % 4]; i = (i + 1) % walk.size())
-      bay.sides[k].push_back(walk[i].curve);
+  std::vector<std::vector<CurveId>> sides(corners.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    std::size_t i = corners[k];
+    do {
+      sides[k].push_back(walk[i].curve);
+      i = (i + 1) % walk.size();
+    } while (i != corners[(k + 1) % corners.size()]);
   }
-  return bay;
+  return sides;
 }
 
 double side_length(const std::vector<CurveId>& side, const IdVector<CurveId, CountWish>& wishes) {
@@ -60,17 +62,28 @@ std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWi
   std::vector<Bay> bays;
   std::size_t next_walk = 0;
   for (const Domain::Cell& cell : domain.cells) {
-    std::optional<Bay> bay = as_bay(domain, cell);
     const std::size_t walk = std::exchange(next_walk, next_walk + cell.walks.size());
-    if (!bay) continue;
-    bay->walk = walk;
+    std::vector<std::vector<CurveId>> sides = sides_of(domain, cell);
+    if (sides.size() != 4) continue;
+    Bay bay{};
+    bay.walk = walk;
+    for (std::size_t k = 0; k < 4; ++k) bay.sides[k] = std::move(sides[k]);
     for (std::size_t k = 0; k < 2; ++k) {
-      const double a = side_length(bay->sides[k], wishes), b = side_length(bay->sides[k + 2], wishes);
-      bay->is_close[k] = std::max(a, b) < kMostEvened * std::min(a, b) || std::abs(a - b) < kRoundsAway;
+      const double a = side_length(bay.sides[k], wishes), b = side_length(bay.sides[k + 2], wishes);
+      bay.is_close[k] = std::max(a, b) < kMostEvened * std::min(a, b) || std::abs(a - b) < kRoundsAway;
     }
-    if (bay->is_close[0] || bay->is_close[1]) bays.push_back(std::move(*bay));
+    if (bay.is_close[0] || bay.is_close[1]) bays.push_back(std::move(bay));
   }
   return bays;
+}
+
+void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes) {
+  for (const Domain::Cell& cell : domain.cells) {
+    const std::vector<std::vector<CurveId>> sides = sides_of(domain, cell);
+    if (sides.size() != 3) continue;
+    for (const std::vector<CurveId>& side : sides)
+      if (side.size() == 1) wishes[side[0]].least = std::max(wishes[side[0]].least, 2u);
+  }
 }
 
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes) {

@@ -20,6 +20,9 @@ struct Bay {
 /// corner is a vertex where one quad fits; elsewhere two must fit. O(n).
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes);
 
+/// A cell with three corners wants two edges or more on each side: with one, a quad would have a flat corner.
+void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes);
+
 /// Brings the wished lengths of opposite sides of bays together, from bay to bay, so that they round to the same
 /// counts. No wish changes by more than the factor `kMostEvened`. O(n).
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes);

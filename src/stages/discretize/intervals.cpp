@@ -30,6 +30,7 @@ void fill_smallest_cells(const Domain& domain, const IdVector<CurveId, CountWish
 }  // namespace
 
 IdVector<CurveId, std::uint32_t> choose_counts(const Domain& domain, IdVector<CurveId, CountWish> wishes) {
+  widen_triangles(domain, wishes);
   const std::vector<Bay> bays = find_bays(domain, wishes);
   even_out(bays, wishes);
   CountState state(wishes, bays);
