@@ -1,43 +1,54 @@
 # A thin face over CMake (see CMakePresets.json). `make help` lists the targets.
 QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
+SOURCES = $(shell find include src io draw cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help build demo test paper bench format tidy
+.PHONY: help setup build demo test paper bench format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
 	@echo "make build   build the release binary, $(QUADLINE)"
 	@echo "make paper   mesh the paper's models and compare with its Table 3"
 	@echo "make bench   run the benchmarks"
-	@echo "make format  format the sources; make tidy: lint them"
+	@echo "make format  format the sources"
+	@echo "make tidy    lint them"
+	@echo "make clean   remove build/ and out/"
+
+setup:
+	@scripts/install-packages
 
 build:
 	@test -f build/release/build.ninja || cmake --preset release > /dev/null
 	@cmake --build --preset release
 
-demo: setup build
+demo: setup
+	@$(MAKE) --no-print-directory build
 	@mkdir -p out
 	@$(QUADLINE) mesh examples/bulkhead/bulkhead.json -o out/bulkhead.vtu -o out/bulkhead.msh -o out/bulkhead.inp \
 	  -o out/bulkhead.svg -o out/bulkhead.json --report out/bulkhead-report.json
-	@echo "Look at out/bulkhead.svg (browser), out/bulkhead.vtu (ParaView), out/bulkhead.msh (Gmsh); out/bulkhead.inp is for CalculiX and Abaqus."
+	@echo "Look at $(CURDIR)/out/bulkhead.svg with a browser, at bulkhead.vtu with ParaView, at bulkhead.msh with Gmsh;"
+	@echo "bulkhead.inp is for CalculiX and Abaqus, bulkhead-report.json has the figures."
 
-test: setup build
+test: setup
+	@$(MAKE) --no-print-directory build
 	@test -f build/asan/build.ninja || cmake --preset asan > /dev/null
 	@cmake --build --preset asan
 	@ctest --preset asan -j2
 
-paper: setup build
+paper: setup
+	@$(MAKE) --no-print-directory build
 	@$(PYTHON) scripts/paper_table.py $(QUADLINE)
 
-bench: setup build
+bench: setup
+	@$(MAKE) --no-print-directory build
+	@cmake --build --preset release --target quadline_benchmarks
 	@build/release/benchmarks/quadline_benchmarks
 
 format:
-	@clang-format-19 -i $$(git ls-files '*.cpp' '*.hpp')
+	@clang-format-19 -i $(SOURCES)
 
-tidy: setup build
-	@clang-tidy-19 -p build/release --quiet $$(git ls-files 'src/*.cpp' 'io/*.cpp' 'cli/*.cpp' 'draw/*.cpp')
+tidy: setup
+	@scripts/check-tidy
 
-.PHONY: setup
-setup:
-	@scripts/install-packages
+clean:
+	@rm -rf build out

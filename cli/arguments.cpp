@@ -43,7 +43,7 @@ void add_model(CLI::App& app, std::filesystem::path& model) {
 }
 
 void add_mesh_file(CLI::App& app, std::filesystem::path& mesh) {
-  app.add_option("MESH", mesh, "the mesh: .vtu, .msh (2.2 or 4.1), .inp or .json")->required()->type_name("");
+  app.add_option("MESH", mesh, "the mesh: .vtu, .vtk, .msh (2.2 or 4.1), .inp or .json")->required()->type_name("");
 }
 
 void add_size(CLI::App& app, Options& options) {

@@ -4,7 +4,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/quality_table.hpp"
 #include "domain/arrange.hpp"
@@ -12,6 +11,7 @@
 #include "io/mesh_io.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
+#include "stages/verify/fit_to_model.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace quadline {
@@ -50,7 +50,7 @@ Verdict verdict_on(const CheckArguments& arguments) {
   verdict.quality = measure(verdict.mesh);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
-  if (domain) verdict.broken = verify(verdict.mesh, *domain, context);
+  if (domain) verdict.broken = verify(fit_to_model(verdict.mesh, *domain), *domain, context);
   return verdict;
 }
 

@@ -20,11 +20,15 @@ class Planarizer {
   Planarizer(StraightLineGraph& graph, const std::string& file) : graph_(graph), file_(file) {}
 
   std::vector<std::uint32_t> run() {
-    if (graph_.points.empty()) return {};
-    merge_points();
+    const std::size_t n_given = graph_.points.size();
+    if (n_given == 0) return {};
     // Crossing points are rounded, so that a split segment may run over what it passed before: again, a few times.
-    for (int rounds = 0; split_all(); ++rounds)
-      if (rounds == kMostRounds) fail_at_crossing();
+    int rounds = 0;
+    do {
+      if (rounds++ == kMostRounds) fail_at_crossing();
+      merge_points();
+    } while (split_all());
+    stand_in_.resize(n_given);
     return std::move(stand_in_);
   }
 
@@ -40,6 +44,7 @@ class Planarizer {
     for (const Box& box : boxes) all = join(all, box);
     nothing_ = kNothing * distance(all.lo, all.hi);
     const BoxTree tree(boxes);
+    stand_in_.clear();
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       std::uint32_t first = i;
       tree.query(inflated(boxes[i], nothing_), [&](std::uint32_t j) {
@@ -162,7 +167,7 @@ class Planarizer {
   StraightLineGraph& graph_;
   const std::string& file_;
   double nothing_ = 0;
-  std::vector<std::uint32_t> stand_in_;  ///< of each point given, the one that took its place
+  std::vector<std::uint32_t> stand_in_;  ///< of each point, the one that took its place
   std::vector<std::vector<Cut>> cuts_;   ///< of each segment
   std::pair<std::size_t, Point> last_cut_{};
 };

@@ -1,4 +1,4 @@
-// The format: https://www.cs.cmu.edu/~quake/triangle.poly.html [Triangle].
+// The format: https://www.cs.cmu.edu/~quake/triangle.poly.html.
 #include "io/poly_contents.hpp"
 
 #include <cmath>
@@ -39,7 +39,7 @@ class Lines {
   std::size_t word_count() const { return words_.size(); }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(message, Where{file_, "line " + std::to_string(number_), {}});
+    throw InputError(message, Where{file_, number_ == 0 ? "" : "line " + std::to_string(number_), {}});
   }
 
   template <class Number>

@@ -15,7 +15,7 @@ namespace quadline {
 /// @throws InputError  with the JSON path, or line and column where the text is no JSON.
 Model read_model_json(std::string_view text, const std::string& file);
 
-/// Triangle's planar straight-line graph [Triangle]. Its boundary loops become outer loops and holes, all other
+/// Triangle's planar straight-line graph. Its boundary loops become outer loops and holes, all other
 /// segments lines; it has no target size, so Model::size is 0.
 /// @param file  beside it stands the .node file, where the vertices are not in the text.
 /// @throws InputError  with the line.

@@ -18,8 +18,10 @@ std::string one_line(const std::string& message, const Where& where) {
   if (!where.place.empty()) text += where.place + ": ";
   text += message;
   if (where.point) text += " at (" + text_of(where.point->x) + ", " + text_of(where.point->y) + ")";
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) c = ' ';  // names come from files: one line, and no codes for the terminal
+  }
   return text;
 }
 

@@ -1,8 +1,10 @@
 // The pipeline, in the order of [Lee2003].
 #include "quadline/generate.hpp"
 
+#include <array>
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "domain/arrange.hpp"
 #include "domain/size_field.hpp"
@@ -52,23 +54,32 @@ std::vector<double> sizes_at_edges(const Mesh& mesh, const SizeField& size) {
   return sizes;
 }
 
-}  // namespace
+/// How a model is meshed: as asked; where that breaks the promise, with the other triangles, then finer.
+struct Attempt {
+  bool other_triangles;
+  double refinement;  // of all sizes
+  const char* what;
+};
+constexpr std::array<Attempt, 4> kAttempts{{{false, 1, "as asked"},
+                                            {true, 1, "with the other triangles"},
+                                            {false, 0.75, "with sizes 0.75 of those asked"},
+                                            {true, 0.5, "with the other triangles and half the sizes"}}};
 
-MeshResult generate(const Model& model, const Options& options, Context& context) {
+Domain refined(Domain domain, double factor) {
+  domain.size *= factor;
+  for (Domain::Cell& cell : domain.cells) cell.size *= factor;
+  for (Domain::Curve& curve : domain.curves) curve.size *= factor;
+  for (Domain::PointUse& point : domain.points) point.size *= factor;
+  return domain;
+}
+
+// The stages that make the mesh of a domain.
+MeshResult mesh_domain(const Domain& domain, const Options& options, Report& report, Context& context) {
   MeshResult result;
-  Report& report = result.report;
   Clock clock(report, context);
-
-  const Domain domain = clock.run("arrange", [&] { return arrange(model, options, context); });
-  report.tolerance = domain.tolerance;
-  report.n_cells = domain.cells.count();
-  report.n_curves = domain.curves.count();
-  report.n_vertices = domain.vertices.count();
-  report.findings = domain.findings;
   const auto snapshot = [&](std::string_view name, const WorkMesh& mesh) {
     if (context.on_snapshot) context.on_snapshot(name, flatten(mesh, domain));
   };
-
   const SizeField size = clock.run("sizing", [&] { return make_size_field(domain, options, context); });
   WorkMesh mesh = clock.run("discretize", [&] { return discretize(domain, size, context); });
   clock.run("triangulate", [&] { triangulate(mesh, domain, context); });
@@ -76,7 +87,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   clock.run("field points", [&] { insert_field_points(mesh, size, options.triangles, context); });
   snapshot("field-points", mesh);
   clock.run("qmorph", [&] { merge_to_quads(mesh, size, options.lines, snapshot, context); });
-  snapshot("quads", mesh);
+  snapshot("before-smoothing", mesh);
   report.before_smoothing = measure(flatten(mesh, domain));
   clock.run("clean-up", [&] { clean_up(mesh, size, context); });
   snapshot("clean-up", mesh);
@@ -87,6 +98,42 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   report.quality = measure(result.mesh, sizes_at_edges(result.mesh, size));
   if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
   return result;
+}
+
+}  // namespace
+
+MeshResult generate(const Model& model, const Options& options, Context& context) {
+  Report report;
+  const Domain domain = Clock(report, context).run("arrange", [&] { return arrange(model, options, context); });
+  report.tolerance = domain.tolerance;
+  report.n_cells = domain.cells.count();
+  report.n_curves = domain.curves.count();
+  report.n_vertices = domain.vertices.count();
+  report.findings = domain.findings;
+
+  MeshResult first;
+  for (const Attempt& attempt : kAttempts) {
+    Options now = options;
+    if (attempt.other_triangles)
+      now.triangles = options.triangles == Triangles::Delaunay ? Triangles::Front : Triangles::Delaunay;
+    MeshResult result;
+    try {
+      result =
+          mesh_domain(attempt.refinement == 1 ? domain : refined(domain, attempt.refinement), now, report, context);
+    } catch (const InternalError& error) {
+      result.failure = Failure{"internal", error.what(), error.where().point.value_or(domain.box.lo)};
+    }
+    if (!result.failure) {
+      result.report = std::move(report);
+      return result;
+    }
+    report.findings.push_back(
+        {std::string("no valid mesh ") + attempt.what + ": " + result.failure->reason, {}, result.failure->at});
+    if (!first.failure || first.mesh.quads.empty()) first = std::move(result);
+  }
+  report.quality = measure(first.mesh);
+  first.report = std::move(report);
+  return first;
 }
 
 }  // namespace quadline

@@ -22,8 +22,14 @@ class Classifier {
       const Face& face = parts_.faces[f];
       if (face.outer < 0 || face.holes < 0 || face.outer - face.holes > 1) fail(f);
     }
+    bool is_empty = true;
+    for (const Face& face : parts_.faces) is_empty = is_empty && !face.is_inside();
     for (const Route& route : work_.routes) {
       if (route.kind == CurveKind::Hole) check_hole(route);
+      if (route.kind == CurveKind::Outer && is_empty) {
+        throw InputError("nothing is left of the domain: the holes cover it all",
+                         work_.where(route.where, work_.pieces[route.uses[0].curve].curve.a));
+      }
     }
     report_touching();
   }

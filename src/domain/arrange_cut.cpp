@@ -11,23 +11,6 @@ namespace {
 constexpr double kShortArc = 16;        // in tolerances; shorter ones are straight
 constexpr double kOffCircle = 0x1p-10;  // in tolerances; nearer ends lie on the circle
 
-/// Turns and scales an arc so that it goes through its ends, if they lie farther than `slack` off its circle. Then what
-/// holds for straight pieces holds for arcs: a point of the piece near its end is near no other piece that its end is
-/// not.
-CurvePiece moved_to_ends(CurvePiece arc, double slack) {
-  const Point u = arc.a - arc.center;
-  const Point v = arc.b - arc.center;
-  if (std::max(std::abs(norm(u) - arc.radius), std::abs(norm(v) - arc.radius)) <= slack) return arc;
-  const Point on_a = (arc.radius / norm(u)) * u;
-  const Point on_b = (arc.radius / norm(v)) * v;
-  const Point was = on_b - on_a;
-  const Point is = arc.b - arc.a;
-  const Point turn = (1 / norm2(was)) * Point{dot(was, is), cross(was, is)};  // as a complex number
-  arc.center = arc.a - Point{turn.x * on_a.x - turn.y * on_a.y, turn.x * on_a.y + turn.y * on_a.x};
-  arc.radius *= norm(turn);
-  return arc;
-}
-
 class Cutter {
  public:
   explicit Cutter(Work& work) : work_(work) {}
@@ -93,6 +76,20 @@ CurvePiece cut_curve(const Work& work, const CurvePiece& whole, double from, dou
   if (!part.is_arc()) return part;
   if (length(part) <= kShortArc * work.tolerance) return {.a = a, .b = b};
   return moved_to_ends(part, kOffCircle * work.tolerance);
+}
+
+CurvePiece moved_to_ends(CurvePiece arc, double slack) {
+  const Point u = arc.a - arc.center;
+  const Point v = arc.b - arc.center;
+  if (std::max(std::abs(norm(u) - arc.radius), std::abs(norm(v) - arc.radius)) <= slack) return arc;
+  const Point on_a = (arc.radius / norm(u)) * u;
+  const Point on_b = (arc.radius / norm(v)) * v;
+  const Point was = on_b - on_a;
+  const Point is = arc.b - arc.a;
+  const Point turn = (1 / norm2(was)) * Point{dot(was, is), cross(was, is)};  // as a complex number
+  arc.center = arc.a - Point{turn.x * on_a.x - turn.y * on_a.y, turn.x * on_a.y + turn.y * on_a.x};
+  arc.radius *= norm(turn);
+  return arc;
 }
 
 void cut_pieces(Work& work, std::vector<Cut>& cuts) { Cutter(work).run(cuts); }

@@ -12,6 +12,8 @@ namespace quadline::arrangement {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kOffCircle = 1.0 / 16;  // in tolerances
+constexpr double kNearlyClosed = 0.25;   // gap between the ends of an arc, in radii
 
 class Builder {
  public:
@@ -50,6 +52,14 @@ class Builder {
     return vertex_of_[v];
   }
 
+  /// Arcs lie on the circle that the model gives, unless the tolerance moved their ends far off it.
+  CurvePiece on_given_circle(const CurvePiece& step, double sweep, Point a, Point b) const {
+    if (sweep == 0) return {.a = a, .b = b};
+    const CurvePiece arc = sub_piece(step, 0, std::abs(sweep) * step.radius, a, b);
+    const bool is_nearly_closed = distance(a, b) < kNearlyClosed * step.radius;
+    return is_nearly_closed && std::abs(sweep) > 1 ? arc : moved_to_ends(arc, kOffCircle * work_.tolerance);
+  }
+
   void add_curves() {
     vertex_of_.assign(work_.vertices.count(), VertexId());
     curve_of_.assign(work_.pieces.count(), CurveId());
@@ -67,13 +77,7 @@ class Builder {
       if (joints_.moved.count(first.tail) || joints_.moved.count(head)) sweep = std::copysign(std::numbers::pi, sweep);
       Domain::Curve curve{.tail = vertex(first.tail), .head = vertex(head)};
       const Point a = work_.vertices[first.tail].at, b = work_.vertices[head].at;
-      // Arcs lie on the circle that the model gives, whatever the tolerance did to their ends.
-      if (sweep == 0) {
-        curve.piece = {.a = a, .b = b};
-      } else {
-        const CurvePiece& step = work_.steps[first.origin];
-        curve.piece = sub_piece(step, 0, std::abs(sweep) * step.radius, a, b);
-      }
+      curve.piece = on_given_circle(work_.steps[first.origin], sweep, a, b);
       curve.left = cell_of_[parts_.face_at(static_cast<Half>(2 * i))];
       curve.right = cell_of_[parts_.face_at(static_cast<Half>(2 * i + 1))];
       curve.size = kInfinity;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "domain/arrange_work.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 /// Meets of the pieces' supports, as far as they lie on both pieces.
 class Meetings {
  public:
-  Meetings(const Piece& p, const Piece& q, double tolerance) : p_(p), q_(q), tolerance_(tolerance) {}
+  Meetings(const Piece& p, const Piece& q, double tolerance)
+      : p_(p), q_(q), tolerance_(tolerance), touch_(kTouch * tolerance) {}
 
   std::vector<Point> find() {
     if (!p_.curve.is_arc() && !q_.curve.is_arc()) {
@@ -52,11 +54,11 @@ class Meetings {
     const double foot = dot(along, to_center);
     const double off = cross(along, to_center);
     const double depth = arc.radius - std::abs(off);
-    if (depth < -tolerance_) return;
+    if (depth < -touch_) return;
     const auto add = [&](double at, Point p) {
       if (at > 0 && at < chord && is_beside(arc, p)) keep(p);
     };
-    if (depth <= tolerance_) {
+    if (depth <= touch_) {
       return add(foot, arc.center - std::copysign(arc.radius, off) * left_normal(along));
     }
     const double half = std::sqrt(depth * (arc.radius + std::abs(off)));
@@ -71,42 +73,44 @@ class Meetings {
     const double outer_depth = a.radius + b.radius - apart;
     const double inner_depth = apart - std::abs(a.radius - b.radius);
     // One circle lies on the other within the tolerance: they meet at ends only.
-    if (apart + std::abs(a.radius - b.radius) <= tolerance_) return;
-    if (outer_depth < -tolerance_ || inner_depth < -tolerance_) return;
+    if (apart + std::abs(a.radius - b.radius) <= touch_) return;
+    if (outer_depth < -touch_ || inner_depth < -touch_) return;
     const auto add = [&](Point p) {
       if (is_beside(a, p) && is_beside(b, p)) keep(p);
     };
     const Point unit = (1 / apart) * axis;
-    if (outer_depth <= tolerance_) return add(a.center + a.radius * unit);
-    if (inner_depth <= tolerance_) return add(a.center + std::copysign(a.radius, a.radius - b.radius) * unit);
+    if (outer_depth <= touch_) return add(a.center + a.radius * unit);
+    if (inner_depth <= touch_) return add(a.center + std::copysign(a.radius, a.radius - b.radius) * unit);
     const double foot = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
     const double half = std::sqrt(std::max(0.0, (a.radius - foot) * (a.radius + foot)));
     for (const double at : {-half, half}) add(a.center + foot * unit + at * left_normal(unit));
   }
 
   void keep(Point p) {
-    for (const Point end : {p_.curve.a, p_.curve.b, q_.curve.a, q_.curve.b}) {
-      if (distance(p, end) <= tolerance_) return;
+    for (const VertexId v : {p_.tail, p_.head}) {
+      const bool is_shared = v == q_.tail || v == q_.head;
+      // A vertex here would merge with the shared one.
+      if (is_shared && (distance(p, v == p_.tail ? p_.curve.a : p_.curve.b) <= tolerance_ || is_together(v, p))) return;
     }
-    for (const VertexId shared : {p_.tail, p_.head}) {
-      if ((shared == q_.tail || shared == q_.head) && is_together(shared, p)) return;
+    for (const Point end : {p_.curve.a, p_.curve.b, q_.curve.a, q_.curve.b}) {
+      if (distance(p, end) <= touch_) return;
     }
     found_.push_back(p);
   }
 
-  /// Do the pieces run within the tolerance of each other from a shared end to p? Then they touch there, no more.
+  /// Do the pieces touch all along from a shared end to p?
   bool is_together(VertexId shared, Point p) const {
     const double from = shared == p_.tail ? 0 : length(p_.curve);
     const double to = project(p_.curve, p);
     for (const double f : {0.25, 0.5, 0.75}) {
-      if (distance_to(q_.curve, point_at(p_.curve, from + f * (to - from))) > tolerance_) return false;
+      if (distance_to(q_.curve, point_at(p_.curve, from + f * (to - from))) > touch_) return false;
     }
     return true;
   }
 
   const Piece& p_;
   const Piece& q_;
-  double tolerance_;
+  double tolerance_, touch_;
   std::vector<Point> found_;
 };
 
@@ -115,7 +119,9 @@ class Meetings {
 bool is_beside(const CurvePiece& arc, Point p) {
   const double sign = arc.sweep < 0 ? -1 : 1;
   const Point spoke = p - arc.center;
-  return sign * cross(arc.a - arc.center, spoke) >= 0 && sign * cross(spoke, arc.b - arc.center) >= 0;
+  const bool is_past_a = sign * cross(arc.a - arc.center, spoke) >= 0;
+  const bool is_before_b = sign * cross(spoke, arc.b - arc.center) >= 0;
+  return std::abs(arc.sweep) <= std::numbers::pi ? is_past_a && is_before_b : is_past_a || is_before_b;
 }
 
 double distance_to(const CurvePiece& piece, Point p) {

@@ -7,6 +7,8 @@ namespace quadline::arrangement {
 
 namespace {
 
+constexpr double kSmooth = 1.0 / 16;  // in tolerances
+
 class Joiner {
  public:
   Joiner(Work& work, const Subdivision& parts) : work_(work), parts_(parts) {}
@@ -49,9 +51,16 @@ class Joiner {
       const Piece& a = work_.pieces[into[v]];
       const Piece& b = work_.pieces[out_.out_of[v]];
       out_.is_joint[v] = work_.vertices[v].rank >= Rank::Crossing && a.origin == b.origin &&
-                         a.curve.is_arc() == b.curve.is_arc() && out_.routes[into[v]] == out_.routes[out_.out_of[v]];
+                         a.curve.is_arc() == b.curve.is_arc() && out_.routes[into[v]] == out_.routes[out_.out_of[v]] &&
+                         is_smooth(a, b);
     }
     for (const VertexId v : work_.point_vertex) out_.is_joint[v] = false;
+  }
+
+  /// Does joining the two leave the curve where it is?
+  bool is_smooth(const Piece& a, const Piece& b) const {
+    const CurvePiece chord{.a = a.curve.a, .b = b.curve.b};
+    return a.curve.is_arc() || distance_to(chord, a.curve.b) <= kSmooth * work_.tolerance;
   }
 
   /// A whole circle keeps two vertices, so that no curve ends where it starts: its own and one opposite.

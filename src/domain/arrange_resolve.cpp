@@ -97,7 +97,7 @@ class Resolver {
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     std::vector<Cut> cuts;
     for (const auto& [p, q] : pairs) {
-      for (const Point at : meetings(work_.pieces[p], work_.pieces[q], touch_)) {
+      for (const Point at : meetings(work_.pieces[p], work_.pieces[q], work_.tolerance)) {
         const VertexId v = work_.vertices.push_back({.at = at, .rank = Rank::Crossing});
         for (const CurveId id : {p, q}) cuts.push_back({id, project(work_.pieces[id].curve, at), v});
       }

@@ -34,17 +34,22 @@ bool is_narrow(const Spoke& a, const Spoke& b) {
   return std::abs(cross(a.tangent, b.tangent)) < kNarrow && dot(a.tangent, b.tangent) > 0;
 }
 
+/// Signed distance of p from the line or circle of a piece, positive on the left.
+double offset(const CurvePiece& piece, Point p) {
+  if (!piece.is_arc()) return cross(piece.b - piece.a, p - piece.a) / norm(piece.b - piece.a);
+  return std::copysign(1.0, piece.sweep) * (piece.radius - distance(p, piece.center));
+}
+
 /// Does b leave the vertex clockwise of a, where the two are narrow? Where they are farthest apart tells: near the
-/// vertex they may lie within the tolerance of each other, on either side.
-bool is_clockwise(const Spoke& a, const Spoke& b) {
-  if (!a.curve.is_arc() && !b.curve.is_arc()) return orientation(a.curve.a, a.curve.b, b.curve.b) < 0;
-  double reach = std::min(length(a.curve), length(b.curve));
-  if (a.curve.is_arc()) reach = std::min(reach, 0.5 * a.curve.radius);
-  if (b.curve.is_arc()) reach = std::min(reach, 0.5 * b.curve.radius);
+/// vertex they may touch, on either side.
+bool is_clockwise(const CurvePiece& a, const CurvePiece& b) {
+  if (!a.is_arc() && !b.is_arc()) return orientation(a.a, a.b, b.b) < 0;
+  const double reach = std::min(length(a), length(b));
   double farthest = 0;
-  for (const double f : {0.25, 0.5, 0.75, 1.0}) {
-    const double apart = cross(a.tangent, point_at(b.curve, f * reach) - point_at(a.curve, f * reach));
-    if (std::abs(apart) > std::abs(farthest)) farthest = apart;
+  for (const double f : {0.125, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double apart : {offset(a, point_at(b, f * reach)), -offset(b, point_at(a, f * reach))}) {
+      if (std::abs(apart) > std::abs(farthest)) farthest = apart;
+    }
   }
   return farthest < 0;
 }
@@ -63,7 +68,7 @@ void sort_counter_clockwise(std::vector<Spoke>& spokes) {
   std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>(widest), spokes.end());
   for (std::size_t i = 1; i < n; ++i) {
     for (std::size_t j = i; j > 0; --j) {
-      if (!is_narrow(spokes[j - 1], spokes[j]) || !is_clockwise(spokes[j - 1], spokes[j])) break;
+      if (!is_narrow(spokes[j - 1], spokes[j]) || !is_clockwise(spokes[j - 1].curve, spokes[j].curve)) break;
       std::swap(spokes[j - 1], spokes[j]);
     }
   }

@@ -91,14 +91,19 @@ struct Cut {
 };
 void cut_pieces(Work& work, std::vector<Cut>& cuts);
 
+/// Turns and scales an arc so that it goes through its ends, if they lie farther than `slack` off its circle. Then what
+/// holds for straight pieces holds for arcs: a point of the piece near its end is near no other piece that its end is
+/// not.
+CurvePiece moved_to_ends(CurvePiece arc, double slack);
+
 /// The part of a curve from one arc length to another, with ends that may lie off it by the tolerance.
 CurvePiece cut_curve(const Work& work, const CurvePiece& whole, double from, double to, Point a, Point b);
 
-/// Places where p and q cross or touch, away from their ends; at most two. A lens thinner than the tolerance counts as
-/// one touch. @pre no end of one lies within the tolerance of the other, but for shared ones.
+/// Places where p and q cross or touch, away from their ends; at most two. A lens as thin as a touch counts as one.
+/// @pre no end of one touches the other, but for shared ones.
 std::vector<Point> meetings(const Piece& p, const Piece& q, double tolerance);
 
-/// Does p lie in the sector of the arc, as seen from its center? The arc makes at most half a turn.
+/// Does p lie in the sector of the arc, as seen from its center? The arc makes hardly more than half a turn.
 bool is_beside(const CurvePiece& arc, Point p);
 
 /// Distance of p from the nearest point of the piece; an arc makes at most half a turn.

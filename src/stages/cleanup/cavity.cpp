@@ -1,6 +1,29 @@
 #include "stages/cleanup/cavity.hpp"
 
+#include <cstdlib>
+
 namespace quadline::cleanup {
+
+int least_cost(const Cavity& cavity) {
+  int sum = cavity.inner_index;
+  for (const Cavity::RimNode& r : cavity.rim) {
+    if (r.wish.second != 0) return 0;
+    sum += r.wish.ideal - r.inside - r.outside;
+  }
+  return std::abs(sum);
+}
+
+int cost_after(const Cavity& cavity, const Replacement& replacement) {
+  std::vector<int> quads(cavity.rim.size() + replacement.inner.size(), 0);
+  for (const auto& q : replacement.quads)
+    for (const auto v : q) ++quads[v];
+  int sum = 0;
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    const bool is_rim = i < cavity.rim.size();
+    sum += is_rim ? valence_cost(cavity.rim[i].wish, cavity.rim[i].outside + quads[i]) : valence_cost(Wish{}, quads[i]);
+  }
+  return sum;
+}
 
 bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
   const Topology& topo = mesh_.topo();
@@ -10,7 +33,7 @@ bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
   cavity.faces.assign(faces.begin(), faces.end());
   cavity.rim.clear();
   cavity.inner.clear();
-  cavity.cost = 0;
+  cavity.cost = cavity.inner_index = 0;
   for (const FaceId f : faces) face_mark_[f] = mark_;
 
   HalfId start;
@@ -37,6 +60,7 @@ bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
       cavity.inner.push_back(v);
       const Sector sector = sectors_.at(topo.out(v));
       cavity.cost += valence_cost(sector.wish, sector.quads);
+      cavity.inner_index += 4 - sector.quads;
     }
   }
   return true;

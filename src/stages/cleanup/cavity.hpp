@@ -20,7 +20,8 @@ struct Cavity {
   std::vector<FaceId> faces;
   std::vector<RimNode> rim;  ///< counter-clockwise
   std::vector<NodeId> inner;
-  int cost = 0;  ///< valence cost of all its sectors
+  int inner_index = 0;  ///< sum of 4 - valence of the inner nodes
+  int cost = 0;         ///< valence cost of all its sectors
 };
 
 /// What shall stand in the place of a cavity.
@@ -28,6 +29,12 @@ struct Replacement {
   std::vector<NodeId> inner;                        ///< nodes inside that stay; invalid: new
   std::vector<std::array<std::uint16_t, 4>> quads;  ///< 0 .. n_rim-1: the rim; then `inner`
 };
+
+/// What no replacement can go below: the sum of the signed differences of the valences is the same for all.
+int least_cost(const Cavity& cavity);
+
+/// Valence cost of all sectors of the cavity once the replacement stands in its place.
+int cost_after(const Cavity& cavity, const Replacement& replacement);
 
 /// Collects cavities; keeps the marks that this needs.
 class CavityFinder {

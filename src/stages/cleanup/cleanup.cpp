@@ -1,97 +1,44 @@
 // Topological clean-up [Kinney1997, Canann1998] by re-meshing cavities [Reberol2021, Bunin2006]. Every edit is tried
 // beside the mesh, smoothed, and kept only if the measure (valence costs, and much more for what is not convex) falls
-// and the least quality does not. As the measure is a whole number, clean-up ends. We differ: one mechanism for all
+// and the shapes do not suffer. As the measure is a whole number, clean-up ends. We differ: one mechanism for all
 // patterns; valences are those of sectors; edits must keep the size.
 #include "stages/cleanup/cleanup.hpp"
 
 #include <algorithm>
 #include <optional>
-#include <queue>
 
 #include "stages/cleanup/grow_patch.hpp"
 #include "stages/cleanup/shapes.hpp"
 #include "stages/cleanup/templates.hpp"
 #include "stages/cleanup/trial.hpp"
+#include "stages/cleanup/work_list.hpp"
 
 namespace quadline {
 
 namespace cleanup {
 namespace {
 
-constexpr int kFirstSweeps = 3;  // of smoothing before anything is judged
+constexpr int kFirstSweeps = 3;  // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 5;
-constexpr double kFloor = 0.25;  // an edit may lower the least scaled Jacobian by kMayLose, but not below this
-constexpr double kMayLose = 0.1;
-constexpr double kJacobianWorth = 20;  // in valence costs, where something must be mended
-constexpr double kGoodJacobian = 0.5;
 constexpr std::size_t kTries = 3;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 
-/// Nodes to look at: small cavities first, then patches; dearest first, then by id.
-class WorkList {
- public:
-  enum Phase { Local, Patch, Done };
-  struct Entry {
-    Phase phase;
-    int cost;
-    NodeId node;
-    bool operator<(const Entry& o) const {
-      if (phase != o.phase) return phase > o.phase;
-      return cost != o.cost ? cost < o.cost : node > o.node;
-    }
-  };
-  void push(NodeId v, Phase phase, int cost) {
-    if (pending_.count() <= v.value) pending_.grow(v.value + 1, Done);
-    if (pending_[v] <= phase) return;
-    pending_[v] = phase;
-    queue_.push({phase, cost, v});
-  }
-  /// False: nothing is left.
-  bool pop(Entry& entry) {
-    while (!queue_.empty()) {
-      entry = queue_.top();
-      queue_.pop();
-      if (pending_[entry.node] != entry.phase) continue;  // it was pushed again for an earlier phase
-      pending_[entry.node] = Done;
-      return true;
-    }
-    return false;
-  }
-  std::size_t count() const { return queue_.size(); }
+// What an edit may lose.
+constexpr double kFloor = 0.25;  // the least scaled Jacobian may fall by kMayLose, but not below this
+constexpr double kMayLose = 0.1;
+constexpr double kBetaMayLose = 0.02;   // of the mean beta of the cavity and the quads round it
+constexpr double kBetaHopeless = 0.06;  // the same after the first sweep of smoothing
+constexpr double kSizeSpread = 0.1;     // see PatchQuality; never refused below it
 
- private:
-  std::priority_queue<Entry> queue_;
-  IdVector<NodeId, Phase> pending_;
-};
+// What it is worth beside a valence, to choose among edits.
+constexpr double kJacobianWorth = 20;  // of the least scaled Jacobian, where something must be mended
+constexpr double kGoodJacobian = 0.5;
+constexpr double kBetaWorth = 0.5;  // of the sum of beta
 
 class CleanUp {
  public:
-  CleanUp(WorkMesh& mesh, const SizeField& field)
-      : mesh_(mesh), sectors_(mesh), finder_(mesh, sectors_), grower_(mesh, sectors_, size_), trial_(mesh, size_) {
-    const Topology& topo = mesh.topo();
-    size_.grow(topo.node_capacity());
-    for (std::size_t i = 0; i < topo.node_capacity(); ++i)
-      if (topo.is_live(NodeId(i))) size_[NodeId(i)] = field.at(mesh.point(NodeId(i)));
-  }
-
-  void run(Context& context) {
-    for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
-    for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
-      if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
-    const double n_start = std::max(1.0, static_cast<double>(work_.count()));
-    WorkList::Entry entry;
-    for (std::size_t n = 0; work_.pop(entry); ++n) {
-      if (n % 256 == 0) context.progress("clean-up", 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start));
-      const NodeId v = entry.node;
-      if (!mesh_.topo().is_live(v) || cost(v) == 0) continue;
-      if (entry.phase == WorkList::Local) {
-        if (!try_shapes(v)) work_.push(v, WorkList::Patch, cost(v));
-      } else {
-        try_patches(v);
-      }
-    }
-    mesh_.compact();
-  }
+  CleanUp(WorkMesh& mesh, const SizeField& field);
+  void run(Context& context);
 
  private:
   void smooth_all();
@@ -104,11 +51,17 @@ class CleanUp {
   bool try_shapes(NodeId v);
   bool try_templates(const Cavity& cavity, bool must);
   bool try_patches(NodeId v);
-  bool try_replacement(const Cavity& cavity, int cost_after, bool must);
+  std::optional<double> gain_of_trial(const Cavity& cavity, bool must);
+  void note(const Cavity& cavity, double gain);
   bool carry_out_best();
-  double w_=1;
   void commit();
-  static int least_cost(const WorkMesh& mesh, const Cavity& cavity);
+  void reuse_inner_nodes(const Cavity& cavity, std::size_t n_inner);
+
+  struct Attempt {
+    Cavity cavity;
+    Replacement replacement;
+    double gain;
+  };
 
   WorkMesh& mesh_;
   Sectors sectors_;
@@ -120,17 +73,39 @@ class CleanUp {
   WorkList work_;
   Cavity cavity_;
   Replacement replacement_;
+  std::optional<Attempt> best_;
   FaceSets sets_;
   std::vector<TemplateTable::RimCosts> rim_costs_;
   std::vector<TemplateTable::Match> matches_;
   std::vector<NodeId> nodes_;
-  struct Attempt {
-    Cavity cavity;
-    Replacement replacement;
-    double gain;
-  };
-  std::optional<Attempt> best_;
 };
+
+CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field)
+    : mesh_(mesh), sectors_(mesh), finder_(mesh, sectors_), grower_(mesh, sectors_, size_), trial_(mesh, size_) {
+  const Topology& topo = mesh.topo();
+  size_.grow(topo.node_capacity());
+  for (std::size_t i = 0; i < topo.node_capacity(); ++i)
+    if (topo.is_live(NodeId(i))) size_[NodeId(i)] = field.at(mesh.point(NodeId(i)));
+}
+
+void CleanUp::run(Context& context) {
+  for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
+  for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
+    if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
+  const double n_start = std::max(1.0, static_cast<double>(work_.count()));
+  WorkList::Entry entry;
+  for (std::size_t n = 0; work_.pop(entry); ++n) {
+    if (n % 256 == 0) context.progress("clean-up", 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start));
+    const NodeId v = entry.node;
+    if (!mesh_.topo().is_live(v) || cost(v) == 0) continue;
+    if (entry.phase == WorkList::Patch) {
+      try_patches(v);
+    } else if (!try_shapes(v)) {
+      work_.push(v, WorkList::Patch, entry.cost);
+    }
+  }
+  mesh_.compact();
+}
 
 void CleanUp::smooth_all() {
   const Topology& topo = mesh_.topo();
@@ -167,20 +142,12 @@ bool CleanUp::try_shapes(NodeId v) {
   }
   return carry_out_best();
 }
-bool CleanUp::carry_out_best() {
-  if (!best_) return false;
-  cavity_ = best_->cavity;
-  replacement_ = best_->replacement;
-  trial_.build(cavity_, replacement_);
-  trial_.smooth(kTrialSweeps);
-  commit();
-  return true;
-}
 
+// Carries out the first replacement that is better; where something must be mended, only notes the best.
 bool CleanUp::try_templates(const Cavity& cavity, bool must) {
   int n_broken = 0;
   for (const FaceId f : cavity.faces) n_broken += is_broken(f);
-  if (n_broken == 0 && cavity.cost <= least_cost(mesh_, cavity)) return false;
+  if (n_broken == 0 && cavity.cost <= least_cost(cavity)) return false;
   rim_costs_.clear();
   for (const Cavity::RimNode& r : cavity.rim) {
     TemplateTable::RimCosts c{};
@@ -189,75 +156,73 @@ bool CleanUp::try_templates(const Cavity& cavity, bool must) {
   }
   table_.find(rim_costs_, cavity.cost + kBroken * n_broken, must ? kTriesBroken : kTries, matches_);
   for (const TemplateTable::Match& m : matches_) {
-    replacement_.inner.assign(m.way->n_inner, NodeId());
-    std::copy_n(cavity.inner.begin(), std::min(cavity.inner.size(), replacement_.inner.size()),
-                replacement_.inner.begin());
+    reuse_inner_nodes(cavity, m.way->n_inner);
     replacement_.quads.clear();
     for (int i = 0; i < m.way->n_quads; ++i) {
       const auto& q = m.way->quads[i];
       replacement_.quads.push_back({q[0], q[1], q[2], q[3]});
     }
-    if (try_replacement(cavity, m.cost, must)) return true;
+    const std::optional<double> gain = gain_of_trial(cavity, must);
+    if (!gain) continue;
+    if (!must) {
+      commit();
+      return true;
+    }
+    note(cavity, *gain);
   }
   return false;
 }
 
 bool CleanUp::try_patches(NodeId v) {
-  static const int EX=getenv("EX")?atoi(getenv("EX")):0; static const double W=getenv("W")?atof(getenv("W")):1; w_=W;
-  best_.reset(); int left=EX;
-  for (bool more = grower_.start(v); more; more = grower_.grow()) {
-    if (best_ && left--<=0) break;
+  best_.reset();
+  for (bool more = grower_.start(v); more && !best_; more = grower_.grow()) {
     const Cavity& patch = grower_.cavity();
-    if (grower_.rim_cost() + std::abs(4 - grower_.corner_count()) >= patch.cost) continue;
-    for (const Filling& filling : fill_patch(grower_.rim(), kTries)) {
-      const int cost_after = grower_.rim_cost() + filling.n_irregular;
-      if (cost_after >= patch.cost) break;
-      replacement_.inner.assign(filling.n_inner, NodeId());
-      std::copy_n(patch.inner.begin(), std::min(patch.inner.size(), replacement_.inner.size()),
-                  replacement_.inner.begin());
-      replacement_.quads = filling.quads;
-      try_replacement(patch, cost_after, true);
+    const int most_irregular = patch.cost - grower_.rim_cost() - 1;
+    if (std::abs(4 - grower_.corner_count()) > most_irregular) continue;
+    for (Filling& filling : fill_patch(grower_.rim(), kTries, most_irregular)) {
+      reuse_inner_nodes(patch, filling.n_inner);
+      replacement_.quads = std::move(filling.quads);
+      if (const std::optional<double> gain = gain_of_trial(patch, false)) note(patch, *gain);
     }
   }
   return carry_out_best();
 }
 
-// What no filling can go below: the sum of the signed differences is the same for all.
-int CleanUp::least_cost(const WorkMesh& mesh, const Cavity& cavity) {
-  int sum = 0;
-  for (const Cavity::RimNode& r : cavity.rim) {
-    if (r.wish.second != 0) return 0;
-    sum += r.wish.ideal - r.inside - r.outside;
-  }
-  for (const NodeId v : cavity.inner) sum += 4 - mesh.topo().edge_valence(v);
-  return std::abs(sum);
+void CleanUp::reuse_inner_nodes(const Cavity& cavity, std::size_t n_inner) {
+  replacement_.inner.assign(n_inner, NodeId());
+  std::copy_n(cavity.inner.begin(), std::min(cavity.inner.size(), n_inner), replacement_.inner.begin());
 }
 
-// Carries out what is better; where something must be mended, only notes the best.
-bool CleanUp::try_replacement(const Cavity& cavity, int cost_after, bool must) {
-  if (!trial_.build(cavity, replacement_)) return false;
+// Builds and smooths the replacement; what it is worth, or nothing where it is refused.
+std::optional<double> CleanUp::gain_of_trial(const Cavity& cavity, bool must) {
+  const int valences_after = cost_after(cavity, replacement_);
+  if (valences_after >= cavity.cost && !must) return std::nullopt;
+  if (!trial_.build(cavity, replacement_)) return std::nullopt;
   const PatchQuality now = trial_.quality_now();
-  trial_.smooth(kTrialSweeps);
+  trial_.smooth(1);
+  if (!must && trial_.quality().mean_beta < now.mean_beta - kBetaHopeless) return std::nullopt;
+  trial_.smooth(kTrialSweeps - 1);
   const PatchQuality then = trial_.quality();
-  const int before = cavity.cost + kBroken * now.n_broken, after = cost_after + kBroken * then.n_broken;
-  if (after >= before) return false;
-  if (before - after < kBroken / 2) {
-    const double floor = std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose));
-    if (then.least_jacobian < floor) return false;
-    if (then.size_error > std::max(1.0, now.size_error)) return false;
-    static const double SP=getenv("SP")?atof(getenv("SP")):9, BT=getenv("BT")?atof(getenv("BT")):9, ST=getenv("ST")?atof(getenv("ST")):1;
-    if (then.size_spread > std::max(SP, ST*now.size_spread)) return false;
-    if (then.mean_beta < now.mean_beta-BT) return false;
-    static const double KA=getenv("KA")?atof(getenv("KA")):1e9;
-    if ((now.mean_beta-then.mean_beta)*(cavity.faces.size()+trial_.ring().size())>KA*(before-after)) return false;
-  }
-  if (!must) {
-    commit();
-    return true;
-  }
-  const double gain = before>=kBroken? before - after + kJacobianWorth * std::min(then.least_jacobian, kGoodJacobian): before-after+w_*(then.mean_beta-now.mean_beta)*(cavity.faces.size()+trial_.ring().size());
+  const int fall = cavity.cost - valences_after + kBroken * (now.n_broken - then.n_broken);
+  if (fall <= 0) return std::nullopt;
+  if (fall >= kBroken / 2) return fall + kJacobianWorth * std::min(then.least_jacobian, kGoodJacobian);
+  if (then.least_jacobian < std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose)) ||
+      then.mean_beta < now.mean_beta - kBetaMayLose || then.size_error > std::max(1.0, now.size_error) ||
+      then.size_spread > std::max(kSizeSpread, now.size_spread))
+    return std::nullopt;
+  return fall + kBetaWorth * static_cast<double>(now.n_quads) * (then.mean_beta - now.mean_beta);
+}
+
+void CleanUp::note(const Cavity& cavity, double gain) {
   if (!best_ || gain > best_->gain) best_ = Attempt{cavity, replacement_, gain};
-  return false;
+}
+
+bool CleanUp::carry_out_best() {
+  if (!best_) return false;
+  trial_.build(best_->cavity, best_->replacement);
+  trial_.smooth(kTrialSweeps);
+  commit();
+  return true;
 }
 
 void CleanUp::commit() {

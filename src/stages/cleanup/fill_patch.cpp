@@ -64,6 +64,9 @@ struct Piece {
   bool solve() { return n <= kMostCorners && solve_rows(sides, n, is_cut, rows); }
 };
 
+// 0 where edges have their target length; about the square of the logarithm of their ratio, without libm.
+double stretch(double length, double target) { return length / target + target / length - 2; }
+
 class Filler {
  public:
   explicit Filler(std::span<const PatchNode> rim) : rim_(rim) {
@@ -75,7 +78,7 @@ class Filler {
     size_ = size / static_cast<double>(rim.size());
   }
 
-  std::vector<Filling> run(std::size_t most);
+  std::vector<Filling> run(std::size_t most, int most_irregular);
 
  private:
   struct Plan {
@@ -161,13 +164,12 @@ Point Filler::point_on(const Piece& piece, std::size_t side, double offset) cons
                   rim_[(start + static_cast<std::size_t>(std::ceil(offset))) % rim_.size()].at);
 }
 
-// Sum of the squared logarithms of edge over target length along the spokes from the irregular node to the sides.
+// Sum of the stretch along the spokes from the irregular node to the sides.
 double Filler::strain(const Piece& piece) const {
   double sum = 0;
   const auto add = [&](Point a, Point b, int rows) {
     if (rows == 0) return;
-    const double stretch = std::log(distance(a, b) / (size_ * rows));
-    sum += stretch * stretch;
+    sum += stretch(distance(a, b), size_ * rows);
   };
   if (piece.n == 4) {
     const auto middle = [&](std::size_t side) { return point_on(piece, side, 0.5 * piece.sides[side]); };
@@ -206,8 +208,7 @@ void Filler::plan_cut(std::size_t from, std::size_t to) {
     one.add(length);
     two.add(length);
     if (!one.solve() || !two.solve()) continue;
-    const double stretch = std::log(wanted / length);
-    const double sum = strain(one) + strain(two) + stretch * stretch;
+    const double sum = strain(one) + strain(two) + stretch(wanted, length);
     if (sum > kMostStrain) continue;
     plans_.push_back({(one.n != 4) + (two.n != 4), sum, from, to, length});
   }
@@ -288,14 +289,15 @@ Filling Filler::build(const Plan& plan) {
   return filling;
 }
 
-std::vector<Filling> Filler::run(std::size_t most) {
+std::vector<Filling> Filler::run(std::size_t most, int most_irregular) {
   Piece whole;
   for (std::size_t i = 0; i < corners_.size(); ++i)
     whole.add(static_cast<int>((i + 1 < corners_.size() ? corners_[i + 1] : corners_[0] + rim_.size()) - corners_[i]));
   if (!corners_.empty()) whole.from = corners_[0];
   if (whole.solve()) {
-    if (const double sum = strain(whole); sum <= kMostStrain) plans_.push_back({whole.n != 4, sum, 0, 0, 0});
-  } else if (corners_.size() >= 2 && corners_.size() <= kMostCut) {
+    const double sum = strain(whole);
+    if (sum <= kMostStrain && (whole.n != 4) <= most_irregular) plans_.push_back({whole.n != 4, sum, 0, 0, 0});
+  } else if (corners_.size() >= 2 && corners_.size() <= kMostCut && most_irregular >= 2) {
     plan_cuts();
   }
   std::sort(plans_.begin(), plans_.end(), [](const Plan& a, const Plan& b) { return a.key() < b.key(); });
@@ -306,6 +308,8 @@ std::vector<Filling> Filler::run(std::size_t most) {
 
 }  // namespace
 
-std::vector<Filling> fill_patch(std::span<const PatchNode> rim, std::size_t most) { return Filler(rim).run(most); }
+std::vector<Filling> fill_patch(std::span<const PatchNode> rim, std::size_t most, int most_irregular) {
+  return Filler(rim).run(most, most_irregular);
+}
 
 }  // namespace quadline::cleanup

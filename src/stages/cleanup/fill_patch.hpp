@@ -28,8 +28,9 @@ struct Filling {
 /// in a patch of four corners with equal opposite sides, one in most of three or five, and two where one cut makes two
 /// such patches of it.
 ///
-/// @param most  at most so many fillings, the least irregular and least strained first.
+/// @param most            at most so many fillings, the least irregular and least strained first.
+/// @param most_irregular  inner nodes of three or five quads, at most so many.
 /// Cost O(n^2 log n) for n rim nodes. Source: [Bunin2006, Takayama2014].
-std::vector<Filling> fill_patch(std::span<const PatchNode> rim, std::size_t most);
+std::vector<Filling> fill_patch(std::span<const PatchNode> rim, std::size_t most, int most_irregular);
 
 }  // namespace quadline::cleanup

@@ -3,14 +3,14 @@
 #include "stages/cleanup/grow_patch.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace quadline::cleanup {
 
 namespace {
 
-static const std::size_t kMostFaces = getenv("MF")?atoi(getenv("MF")):150;
-constexpr int kMostSteps = 40;
+constexpr std::size_t kMostFaces = 150;
+constexpr int kMostRows = 20;
+constexpr int kMostStars = 40;  // taken in to make a patch convex again
 
 int wanted_inside(const Cavity::RimNode& r) { return r.wish.ideal - r.outside; }
 
@@ -45,6 +45,7 @@ void PatchGrower::add_star(NodeId v, HalfId in_sector) {
 
 bool PatchGrower::start(NodeId v) {
   ++mark_;
+  n_rows_ = 0;
   faces_.clear();
   center_ = mesh_.point(v);
   add_star(v, mesh_.topo().out(v));
@@ -52,7 +53,7 @@ bool PatchGrower::start(NodeId v) {
 }
 
 bool PatchGrower::make_convex() {
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostStars; ++step) {
     if (faces_.size() > kMostFaces || !finder_.collect(faces_, cavity_)) return false;
     bool has_notch = false;
     for (const Cavity::RimNode& r : cavity_.rim) {
@@ -90,6 +91,7 @@ bool PatchGrower::add_row(std::size_t from, std::size_t to) {
 
 // Takes the row along the side that lies nearest to the start, so that the patch grows round it.
 bool PatchGrower::grow() {
+  if (++n_rows_ > kMostRows) return false;
   const std::size_t n = rim_.size();
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < n; ++i)

@@ -42,7 +42,7 @@ class PatchGrower {
   std::uint32_t mark_ = 0;
   Cavity cavity_;
   std::vector<PatchNode> rim_;
-  int n_corners_ = 0, rim_cost_ = 0;
+  int n_rows_ = 0, n_corners_ = 0, rim_cost_ = 0;
 };
 
 }  // namespace quadline::cleanup

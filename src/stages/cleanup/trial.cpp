@@ -26,12 +26,13 @@ class Measure {
     for (int i = 0; i < 4; ++i) {
       const int k = (i + 1) % 4;
       const double ratio = 2 * distance(q[i], q[k]) / (size[i] + size[k]);
-      const double log_ratio = std::log(std::max(ratio, 1e-9));
-      spread_ += log_ratio * log_ratio;
-      quality_.size_error = std::max({quality_.size_error, ratio / kLongest, kShortest / std::max(ratio, 1e-9)});
+      const double shown = std::max(ratio, 1e-9);
+      spread_ += shown + 1 / shown - 2;
+      quality_.size_error = std::max({quality_.size_error, ratio / kLongest, kShortest / shown});
     }
   }
   PatchQuality result() {
+    quality_.n_quads = n_;
     if (n_ > 0) {
       quality_.mean_beta = sum_ / n_;
       quality_.size_spread = spread_ / (4 * n_);

@@ -15,9 +15,10 @@ constexpr double kFlatQuad = 0.02;
 struct PatchQuality {
   double least_jacobian = 1;
   double mean_beta = 1;
-  int n_broken = 0;       ///< quads that are not convex, or nearly so
+  int n_quads = 0;
+  int n_broken = 0;        ///< quads that are not convex, or nearly so
   double size_error = 1;   ///< greatest factor between an edge and the limits of its size; 1: all within
-  double size_spread = 0;  ///< mean of the squared logarithms of edge over size
+  double size_spread = 0;  ///< mean of r + 1 / r - 2 with r = edge over size; about ln^2 r
 };
 
 /// Builds a replacement beside the mesh, with the quads round the cavity, smooths it there, and measures it: the mesh
@@ -33,9 +34,6 @@ class Trial {
   /// Of the cavity and the quads round it as they are now in the mesh.
   PatchQuality quality_now() const;
   PatchQuality quality() const;
-
-  /// The quads round the cavity that the trial may deform.
-  std::span<const FaceId> ring() const { return ring_; }
 
   /// Carries the trial out. `nodes`: all nodes of the replacement, rim first. `size` gets the new nodes' sizes.
   void commit(WorkMesh& mesh, IdVector<NodeId, double>& size, std::vector<NodeId>& nodes);

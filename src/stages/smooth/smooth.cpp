@@ -1,25 +1,20 @@
 #include "stages/smooth/smooth.hpp"
 
-#include "stages/smooth/measures.hpp"
+#include "stages/smooth/steps.hpp"
 
 namespace quadline {
 
-namespace {
-
-constexpr double kSound = 0.75;  // squared sine of the worst corner above which a star needs no second look
-
-}  // namespace
-
 void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const SmoothOptions& options,
             Context& context) {
+  if (options.passes <= 0) return;
   Stars stars(mesh, domain, size);
-  laplacian(stars, options.passes / 5, options.min_move);
+  laplacian(stars, options);
+  context.progress("smooth", 0.15);
+  untangle(stars, options);
   context.progress("smooth", 0.2);
-  optimize(stars, options.passes, 4 * options.min_move, 1, 1);
-  context.progress("smooth", 0.5);
-  optimize(stars, options.passes / 2, options.min_move, 3, kSound);
-  context.progress("smooth", 0.7);
-  polish(stars, options.passes / 2, options.min_move);
+  optimize(stars, options);
+  context.progress("smooth", 0.4);
+  polish(stars, options);
   context.progress("smooth", 1);
   stars.store(mesh);
 }

@@ -8,17 +8,21 @@
 namespace quadline {
 
 struct SmoothOptions {
-  int passes = 50;         ///< at most so many sweeps of each kind, >= 0
-  double min_move = 1e-3;  ///< a sweep whose longest move is below this part of the local size is the last
+  int passes = 8;          ///< at most so many sweeps of each step, >= 0; 0: the mesh stays
+  double min_move = 2e-3;  ///< a node that wants to move less stays; in target sizes, > 0
 };
 
-/// Constrained Laplacian smoothing, then optimisation of the worst elements and untangling.
+/// Smoothing: constrained Laplacian, untangling, optimisation of the shape and of the worst elements, polish of beta.
 ///
-/// Nodes on curves slide along them; nodes at vertices stay. The connectivity stays.
+/// Nodes on curves slide along them and keep their order; nodes at vertices stay. The connectivity stays.
 ///
 /// @pre   quads only.
-/// @post  the least scaled Jacobian is no lower than before.
-/// Source: [Lee2003 section 6]; optimisation of the inverse mean ratio [Knupp2000]; untangling [Garanzha2021].
+/// @post  Around every node that was sound the least scaled Jacobian is no lower than before, or above 0.8. Around
+///        the others it rises above 0 where the connectivity lets it: a node with two quads, or a fixed straight
+///        corner that one quad fills, it does not.
+/// @throws Cancelled when `context` asks for it.
+/// Cost O(passes * nodes); sweeps look only at what is near a change. Limits: some hopeless quads may end no better.
+/// Source: [Lee2003 section 6]; inverse mean ratio [Knupp2000]; untangling [Garanzha2021]. See docs/smoothing.md.
 void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const SmoothOptions& options,
             Context& context);
 

@@ -7,12 +7,14 @@ namespace quadline {
 
 namespace {
 
-constexpr std::uint32_t kNone = UINT32_MAX;
-constexpr double kLeastGap = 0.42;  // of the way between two neighbours on a curve: how near a node may slide to one
+constexpr double kLeastGap = 0.3;   // of the way between two neighbours on a curve: how near a node may slide to one
+constexpr double kStraightWay = 1;  // of the way to the first place of a neighbour: how far a node may slide
+constexpr double kArcWay = 0.25;    // the same on arcs, where long edges would cut them short
+constexpr std::size_t kFewAwake = 16;
 
 }  // namespace
 
-Stars::Stars(WorkMesh& mesh, const Domain& domain, const SizeField& size) : domain_(domain) {
+Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size) : domain_(domain) {
   const Topology& topo = mesh.topo();
   star_of_.assign(topo.node_capacity(), kNone);
   point_.resize(topo.node_capacity());
@@ -21,79 +23,116 @@ Stars::Stars(WorkMesh& mesh, const Domain& domain, const SizeField& size) : doma
     const NodeId v(i);
     if (!topo.is_live(v)) continue;
     point_[i] = mesh.point(v);
-    if (mesh.tag(v).kind == NodeKind::Fixed) continue;
-    Slide slide;
-    if (mesh.tag(v).kind == NodeKind::OnCurve) {
-      slide = {mesh.tag(v).curve, mesh.tag(v).s, kNone, kNone};
-      topo.for_each_out(v, [&](HalfId h) {
-        if (mesh.curve(edge_of(h)) != slide.curve) return;
-        const NodeId w = topo.head(h);
-        const bool same = mesh.tag(w).kind == NodeKind::OnCurve && mesh.tag(w).curve == slide.curve;
-        const bool is_before = same ? mesh.tag(w).s < slide.s : mesh.tag(w).vertex == domain.curves[slide.curve].tail;
-        (is_before ? slide.before : slide.after) = w.value;
-      });
-      if (slide.before == kNone || slide.after == kNone) continue;  // stays
-    }
-    star_of_[i] = static_cast<std::uint32_t>(node_.size());
-    node_.push_back(static_cast<std::uint32_t>(i));
-    slide_.push_back(slide);
-    size_.push_back(size.at(point_[i]));
-    topo.for_each_out(v, [&](HalfId h) {
-      if (!topo.face(h).valid()) return;
-      const HalfId b = topo.next(h), c = topo.next(b);
-      spokes_.push_back({topo.tail(b).value, topo.tail(c).value, topo.head(c).value});
-    });
-    first_.push_back(static_cast<std::uint32_t>(spokes_.size()));
+    if (mesh.tag(v).kind == NodeKind::Free || add_slide(mesh, v)) add_star(mesh, v, size);
   }
+  limit_slides();
   awake_.assign(node_.size(), 0);
+}
+
+void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
+  const Topology& topo = mesh.topo();
+  const bool is_free = mesh.tag(v).kind == NodeKind::Free;
+  star_of_[v.value] = static_cast<std::uint32_t>(node_.size());
+  node_.push_back(v.value);
+  slide_of_.push_back(is_free ? kNone : static_cast<std::uint32_t>(slides_.size() - 1));
+  size_.push_back(size.at(mesh.point(v)));
+  topo.for_each_out(v, [&](HalfId h) {
+    if (!topo.face(h).valid()) return;
+    const HalfId b = topo.next(h), c = topo.next(b);
+    spokes_.push_back({topo.tail(b).value, topo.tail(c).value, topo.head(c).value});
+  });
+  first_.push_back(static_cast<std::uint32_t>(spokes_.size()));
+}
+
+// False where the node has to stay: at a vertex, or beside a curve that is broken.
+bool Stars::add_slide(const WorkMesh& mesh, NodeId v) {
+  const NodeTag& tag = mesh.tag(v);
+  if (tag.kind != NodeKind::OnCurve) return false;
+  Slide slide{tag.curve, tag.s, kNone, kNone, 0, 0};
+  mesh.topo().for_each_out(v, [&](HalfId h) {
+    if (mesh.curve(edge_of(h)) != tag.curve) return;
+    const NodeId w = mesh.topo().head(h);
+    const NodeTag& other = mesh.tag(w);
+    const bool shares_curve = other.kind == NodeKind::OnCurve && other.curve == tag.curve;
+    const bool is_before = shares_curve ? other.s < tag.s : other.vertex == domain_.curves[tag.curve].tail;
+    (is_before ? slide.before : slide.after) = w.value;
+  });
+  if (slide.before == kNone || slide.after == kNone) return false;
+  slides_.push_back(slide);
+  return true;
+}
+
+void Stars::limit_slides() {
+  for (Slide& slide : slides_) {
+    const double way = domain_.curves[slide.curve].piece.is_arc() ? kArcWay : kStraightWay;
+    slide.least = slide.s - way * (slide.s - place_of(slide.before, slide, true));
+    slide.most = slide.s + way * (place_of(slide.after, slide, false) - slide.s);
+  }
 }
 
 double Stars::place_of(std::uint32_t neighbour, const Slide& slide, bool before) const {
   const std::uint32_t star = star_of_[neighbour];
-  if (star != kNone && slide_[star].curve == slide.curve) return slide_[star].s;
+  if (star != kNone && slide_of_[star] != kNone && slides_[slide_of_[star]].curve == slide.curve)
+    return slides_[slide_of_[star]].s;
   return before ? 0 : length(domain_.curves[slide.curve].piece);
 }
 
+Point Stars::tangent(std::size_t i) const {
+  const Slide& slide = slides_[slide_of_[i]];
+  const Point t = point_[slide.after] - point_[slide.before];
+  return (1 / norm(t)) * t;
+}
+
 Stars::Place Stars::slid(std::size_t i, Point p) const {
-  const Slide& slide = slide_[i];
+  const Slide& slide = slides_[slide_of_[i]];
   const CurvePiece& piece = domain_.curves[slide.curve].piece;
   const double low = place_of(slide.before, slide, true), high = place_of(slide.after, slide, false);
   const double gap = std::min(kLeastGap * (high - low), std::min(slide.s - low, high - slide.s));
-  const double s = std::clamp(project(piece, p), low + gap, high - gap);
+  const double least = std::max(low + gap, std::min(slide.least, slide.s));
+  const double most = std::min(high - gap, std::max(slide.most, slide.s));
+  const double s = std::clamp(project(piece, p), std::min(least, most), most);
   return {s, point_at(piece, s)};
 }
 
 void Stars::move(std::size_t i, Point p) {
   if (slides(i)) {
     const Place place = slid(i, p);
-    slide_[i].s = place.s;
+    slides_[slide_of_[i]].s = place.s;
     p = place.point;
   }
   point_[node_[i]] = p;
 }
 
-void Stars::wake(std::size_t i) {
-  awake_[i] = 1;
+void Stars::wake_around(std::size_t i) {
+  wake(i);
   for (const Spoke& s : spokes(i))
     for (const std::uint32_t v : {s.next, s.opposite, s.previous})
-      if (star_of_[v] != kNone) awake_[star_of_[v]] = 1;
+      if (star_of_[v] != kNone) wake(star_of_[v]);
 }
 
-void Stars::wake_all() { std::fill(awake_.begin(), awake_.end(), std::uint8_t{1}); }
+void Stars::wake_all() {
+  for (std::size_t i = 0; i < count(); ++i) wake(i);
+}
 
-std::vector<std::uint32_t> Stars::take_awake() {
-  std::vector<std::uint32_t> list;
-  for (std::size_t i = 0; i < awake_.size(); ++i)
-    if (awake_[i]) list.push_back(static_cast<std::uint32_t>(i));
-  std::fill(awake_.begin(), awake_.end(), std::uint8_t{0});
-  return list;
+std::span<const std::uint32_t> Stars::take_awake() {
+  taken_.clear();
+  if (list_.size() * kFewAwake < count()) {
+    std::sort(list_.begin(), list_.end());
+    taken_.swap(list_);
+  } else {
+    for (std::size_t i = 0; i < count(); ++i)
+      if (awake_[i]) taken_.push_back(static_cast<std::uint32_t>(i));
+    list_.clear();
+  }
+  for (const std::uint32_t i : taken_) awake_[i] = 0;
+  return taken_;
 }
 
 void Stars::store(WorkMesh& mesh) const {
   for (std::size_t i = 0; i < node_.size(); ++i) {
     const NodeId v(node_[i]);
     if (slides(i)) {
-      mesh.slide(v, slide_[i].s, point_[node_[i]]);
+      mesh.slide(v, slides_[slide_of_[i]].s, point_[node_[i]]);
     } else {
       mesh.move(v, point_[node_[i]]);
     }

@@ -279,6 +279,41 @@ TEST(MeshVtu, RefusesWhatIsNotFlat) {
   EXPECT_EQ(parse_vtu(square_vtu("format=\"ascii\"", "0 0 7 2 0 7 2 1 7 0 1 7"), "file").points.size(), 4u);
 }
 
+template <class T>
+std::string big_endian(T value) {
+  std::string bytes = raw(value);
+  return {bytes.rbegin(), bytes.rend()};
+}
+
+std::string old_vtk(const std::string& kind, const std::string& points, const std::string& cells,
+                    const std::string& types) {
+  return "# vtk DataFile Version 3.0\ntitle\n" + kind + "\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n" + points +
+         "\nCELLS 2 9\n" + cells + "\nCELL_TYPES 2\n" + types + "\nCELL_DATA 2\nanything\n";
+}
+
+TEST(MeshVtk, ReadsTextAndBinaryOldAndNew) {
+  std::string points, cells, types = big_endian(I{9}) + big_endian(I{5});
+  for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0}) points += big_endian(x);
+  for (const I i : {4, 0, 1, 2, 3, 3, 1, 4, 2}) cells += big_endian(i);
+  const std::string files[] = {
+      old_vtk("ASCII", "0 0 0 1 0 0 1 1 0 0 1 0 2 0 0", "4 0 1 2 3\n3 1 4 2", "9\n5"),
+      old_vtk("BINARY", points, cells, types),
+      "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nt 1 1 double\n0\n"
+      "POINTS 5 double\n0 0 0 1 0 0 1 1 0\n0 1 0 2 0 0\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\n"
+      "OFFSETS vtktypeint64\n0 4 7\nCONNECTIVITY vtktypeint64\n0 1 2 3 1 4 2\nCELL_TYPES 2\n9\n5\n",
+  };
+  for (const std::string& file : files) {
+    const Mesh mesh = parse_vtk(file, "file");
+    ASSERT_EQ(mesh.points.size(), 5u);
+    EXPECT_EQ(mesh.points[4], (Point{2, 0}));
+    EXPECT_EQ(mesh.quads, (std::vector<std::array<NodeIndex, 4>>{{0, 1, 2, 3}}));
+    EXPECT_EQ(mesh.triangles, (std::vector<std::array<NodeIndex, 3>>{{1, 4, 2}}));
+  }
+  EXPECT_NE(message_of(parse_vtk, old_vtk("ASCII", "0 0 0 1 0 0 1 1 0 0 1 0 2 0 0", "4 0 1 2 3\n3 1 4 7", "9\n5"))
+                .find("node 7"),
+            std::string::npos);
+}
+
 TEST(ReadMesh, TurnsAMeshThatIsSeenFromBelow) {
   const Mesh mesh = parse_vtu(square_vtu("format=\"ascii\"", "0 0 0 0 1 0 2 1 0 2 0 0"), "file");
   EXPECT_EQ(mesh.quads[0], (std::array<NodeIndex, 4>{0, 3, 2, 1}));
@@ -316,6 +351,7 @@ TEST(ReadMesh, StandsDamagedFiles) {
   expect_robust(parse_inp, to_inp(mesh));
   expect_robust(parse_msh, binary_msh_2());
   expect_robust(parse_msh, binary_msh_4());
+  expect_robust(parse_vtk, old_vtk("ASCII", "0 0 0 1 0 0 1 1 0 0 1 0 2 0 0", "4 0 1 2 3\n3 1 4 2", "9\n5"));
   expect_robust(parse_vtu, square_vtu("format=\"binary\"", base64(std::string(104, 'x'))));
 }
 

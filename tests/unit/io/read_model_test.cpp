@@ -141,9 +141,9 @@ TEST(ReadModelJson, ErrorsOfPathsNameTheItem) {
 TEST(ReadModelJson, SyntaxErrorsNameLineAndColumn) {
   EXPECT_EQ(message_of("{\n  \"outer\": [[0, 0] [1, 0]]\n}").substr(0, 42),
             "m.json: line 2, column 20: no valid JSON: ");
-  EXPECT_EQ(message_of("{\"size\": NaN}").substr(0, 39), "m.json: line 1, column 11: no valid JSON:");
+  EXPECT_EQ(message_of("{\"size\": NaN}").substr(0, 41), "m.json: line 1, column 10: no valid JSON:");
   EXPECT_NE(message_of("{\"size\": 1").find("unexpected end of input"), std::string::npos);
-  EXPECT_EQ(message_of(with("\"size\": 1") + "}").substr(0, 25), "m.json: line 1, column 59");
+  EXPECT_EQ(message_of(with("\"size\": 1") + "}").substr(0, 25), "m.json: line 1, column 55");
   EXPECT_EQ(message_of(""), "m.json: the file is empty");
   EXPECT_EQ(message_of(" \n\t\r\n"), "m.json: the file is empty");
 }

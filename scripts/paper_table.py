@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Meshes the models of models/paper and sets their figures beside Table 3 of Lee, Kim, Cho and Kim (2003).
+
+    paper_table.py [QUADLINE]
+
+Prints the table, and writes it, with the pictures, to docs/paper-table.md, docs/images/ and the marked part of README.md.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+BEGIN, END = "<!-- paper table: made by `make paper` -->\n", "<!-- end of the paper table -->\n"
+
+# Mean beta of the paper's meshes, before and after its smoothing (Table 3); none for Fig. 20.
+PAPER = {"fig16": (0.534, 0.654), "fig17": (0.563, 0.736), "fig18": (0.523, 0.721), "fig19": (0.417, 0.65), "fig20": None}
+WHAT = {
+    "fig16": "two holes, a line",
+    "fig17": "two holes, no line",
+    "fig18": "a hole, six lines",
+    "fig19": "bulkhead, 20 lines",
+    "fig20": "bulkhead, 80 lines",
+}
+COLUMNS = ("model", "paper: beta before smoothing", "after", "Quadline: beta before", "after", "quads", "least SJ",
+           "mean SJ", "irregular nodes")
+
+
+def mesh(quadline, name):
+    """The report of the run; the picture goes to docs/images."""
+    model = os.path.join(ROOT, "models", "paper", name + ".json")
+    picture = os.path.join(ROOT, "docs", "images", name + ".svg")
+    with tempfile.TemporaryDirectory() as folder:
+        report = os.path.join(folder, "report.json")
+        done = subprocess.run([quadline, "mesh", model, "-o", picture, "--report", report, "--quiet"])
+        if done.returncode != 0:
+            sys.exit("paper_table: %s failed with exit code %d" % (name, done.returncode))
+        with open(report, encoding="utf-8") as f:
+            return json.load(f)
+
+
+def row(name, report):
+    before, after = report["quality"]["before_smoothing"], report["quality"]["after_smoothing"]
+    paper = ["%.3f" % beta for beta in PAPER[name]] if PAPER[name] else ["–", "–"]
+    return ["Fig. %s: %s" % (name[3:], WHAT[name]), *paper, "%.3f" % before["beta_mean"],
+            "**%.3f**" % after["beta_mean"], str(after["quads"]), "%.2f" % after["scaled_jacobian"]["min"],
+            "%.3f" % after["scaled_jacobian"]["mean"],
+            "%d (%.1f %%)" % (after["irregular_nodes"], 100 * after["irregular_nodes"] / after["nodes"])]
+
+
+def markdown(rows):
+    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
+    return "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
+
+
+def pictures(folder):
+    return "".join("\n![Fig. %s: %s](%s/%s.svg)\n" % (name[3:], WHAT[name], folder, name) for name in PAPER)
+
+
+def write(path, text):
+    path = os.path.join(ROOT, path)
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(text)
+
+
+def main():
+    quadline = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release", "quadline"))
+    os.makedirs(os.path.join(ROOT, "docs", "images"), exist_ok=True)
+    reports = {name: mesh(quadline, name) for name in PAPER}
+    table = markdown([row(name, reports[name]) for name in PAPER])
+    print(table, end="")
+    print("\nseconds: " + ", ".join("%s %.2f" % (name, report["seconds"]) for name, report in reports.items()))
+
+    write("docs/paper-table.md", """# The paper's Table 3, and ours
+
+`make paper` makes this page. Beta is the distortion coefficient of [Lee2003], equations (1) and (2), its mean the
+geometric one; SJ is the scaled Jacobian. "Before smoothing" is the mesh as Q-Morph leaves it. The paper does not publish
+the coordinates of its models: these are made after its descriptions, so the figures compare meshers on similar
+models, not on the same. Table 3 has no figures of Fig. 20; those of Fig. 19 are its goal.
+
+""" + table + pictures("images"))
+    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as f:
+        head, found, rest = f.read().partition(BEGIN)
+    tail = rest.partition(END)[2]
+    if not found:
+        sys.exit("paper_table: README.md has no line " + BEGIN)
+    write("README.md", head + BEGIN + "\n" + table + pictures("docs/images") + "\n" + END + tail)
+
+
+if __name__ == "__main__":
+    main()

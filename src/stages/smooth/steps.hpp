@@ -1,0 +1,25 @@
+#pragma once
+
+#include "stages/smooth/smooth.hpp"
+#include "stages/smooth/stars.hpp"
+
+namespace quadline {
+
+/// Scaled Jacobian that every step may lower a star to, if it was better; squared.
+constexpr double kFloor2 = 0.8 * 0.8;
+
+// The steps of smoothing, in their order.
+
+/// [Lee2003 section 6]: a node goes to the centroid of its neighbours if that does not harm its worst element.
+void laplacian(Stars& stars, const SmoothOptions& options);
+
+/// Makes corners convex that are not, by a barrier that lets them pass through zero [Garanzha2021].
+void untangle(Stars& stars, const SmoothOptions& options);
+
+/// Minimises the inverse mean ratio of the corners [Knupp2000], then a high power of it where a corner is poor.
+void optimize(Stars& stars, const SmoothOptions& options);
+
+/// Raises the geometric mean of beta.
+void polish(Stars& stars, const SmoothOptions& options);
+
+}  // namespace quadline

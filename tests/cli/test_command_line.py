@@ -1,0 +1,420 @@
+"""The command line as users meet it: exit codes, messages, what is written and what is not."""
+import json
+import os
+import pty
+import re
+import resource
+import select
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+QUADLINE = os.environ.get("QUADLINE", os.path.join(ROOT, "build", "release", "quadline"))
+PLATE = {
+    "name": "plate",
+    "units": "mm",
+    "size": 1,
+    "outer": [[0, 0], [12, 0], [12, 8], [0, 8]],
+    "holes": [{"center": [9, 5], "radius": 1.5}],
+    "lines": [{"name": "stiffener", "path": [[0, 2], [8, 2]]}],
+    "points": [{"name": "load", "at": [3, 5]}],
+    "regions": [{"name": "panel", "at": [1, 1]}],
+}
+POLY = "4 2 0 0\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n"
+# Two quads that were not joined, as meshio writes them.
+SEAM = """*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 1, 0, 0
+6, 2, 0, 0
+7, 2, 1, 0
+8, 1, 1, 0
+*ELEMENT, TYPE=S4
+1, 1, 2, 3, 4
+2, 5, 6, 7, 8
+"""
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self._folder.cleanup)
+        self.folder = self._folder.name
+        self.plate = self.put("plate.json", PLATE)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def put(self, name, content):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(content if isinstance(content, str) else json.dumps(content))
+        return self.path(name)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def run_it(self, *arguments, **keywords):
+        return subprocess.run([QUADLINE, *arguments], capture_output=True, text=True, timeout=120, **keywords)
+
+    def assert_done(self, done, code=0):
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+
+    def assert_fails(self, code, message, *arguments, **keywords):
+        """Ends with the code, prints nothing but this one line, and leaves the folder as it was."""
+        before = sorted(os.listdir(self.folder))
+        done = self.run_it(*arguments, **keywords)
+        self.assert_done(done, code)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr, "quadline: " + message + "\n")
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+
+class Usage(CommandLine):
+    def test_version_and_help(self):
+        done = self.run_it("--version")
+        self.assert_done(done)
+        self.assertRegex(done.stdout, r"\Aquadline \d+\.\d+\.\d+\n\Z")
+        for arguments in (["--help"], ["mesh", "--help"], ["check", "-h"], ["info", "--help"], ["draw", "--help"]):
+            done = self.run_it(*arguments)
+            self.assert_done(done)
+            self.assertIn("Usage:", done.stdout)
+            self.assertEqual(done.stderr, "")
+
+    def test_wrong_command_lines_are_told_in_one_line(self):
+        out = self.path("a.vtu")
+        for arguments in ([], ["frobnicate"], ["mesh"], ["mesh", self.plate, "-o"], ["check"], ["draw", "a.vtu"],
+                          ["mesh", self.plate, "-o", out, "--frobnicate"], ["mesh", self.plate, self.plate, "-o", out],
+                          ["mesh", self.plate, "-o", out, "--size"], ["info"], ["mesh", self.plate, "check"]):
+            with self.subTest(arguments=arguments):
+                done = self.run_it(*arguments)
+                self.assert_done(done, 2)
+                self.assertEqual(done.stdout, "")
+                self.assertRegex(done.stderr, r"\Aquadline: [^\n]+\n\Z")
+                self.assertFalse(os.path.exists(out))
+
+    def test_numbers_and_choices(self):
+        base = ["mesh", self.plate, "-o", self.path("a.vtu")]
+        for option, text, expected in [
+                ("--size", "abc", "a length above 0"), ("--size", "0", "a length above 0"),
+                ("--size", "nan", "a length above 0"), ("--size", "inf", "a length above 0"),
+                ("--size", "1e999", "a length above 0"), ("--size", "1,5", "a length above 0"),
+                ("--growth", "1", "a number above 1"), ("--edges-per-circle", "3", "a number of 4 or more"),
+                ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
+                ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay' or 'front'")]:
+            with self.subTest(option=option, text=text):
+                self.assert_fails(2, "%s: expected %s, found '%s'" % (option, expected, text), *base, option, text)
+        self.assert_fails(2, "--size: expected a length above 0, found '-1'", *base, "--size=-1")
+
+    def test_outputs_are_checked_before_the_work(self):
+        a = self.path("a.xyz")
+        self.assert_fails(2, a + ": the format '.xyz' is unknown: use .vtu, .msh, .inp, .svg or .json",
+                          "mesh", self.plate, "-o", a)
+        self.assert_fails(2, "expected a file to write: give -o FILE", "mesh", self.plate)
+        self.assert_fails(2, self.plate + ": would overwrite the model", "mesh", self.plate, "-o", self.plate)
+        b = self.path("b.vtu")
+        self.assert_fails(2, b + ": is given twice", "mesh", self.plate, "-o", b, "-o", b)
+        self.assert_fails(2, b + ": the format '.vtu' is unknown: use .svg", "draw", b, "-o", b)
+
+
+class Mesh(CommandLine):
+    def test_writes_every_file_asked_for_and_a_table(self):
+        names = ["a.vtu", "a.msh", "a.inp", "a.svg", "a.json"]
+        outputs = [word for name in names for word in ("-o", self.path(name))]
+        done = self.run_it("mesh", *outputs, self.plate)
+        self.assert_done(done)
+        self.assertEqual(done.stderr, "")
+        self.assertRegex(done.stdout, r"\Aplate: \d+ quads, \d+ nodes, \d+\.\d\d s\n")
+        for word in ("beta, mean", "scaled Jacobian, least", "least angle", "irregular nodes"):
+            self.assertIn(word, done.stdout)
+        for name in names:
+            self.assertIn("written: " + self.path(name) + "\n", done.stdout)
+            self.assertGreater(len(self.read(name)), 1000)
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(names + ["plate.json"]))
+
+    def test_quiet_says_nothing(self):
+        done = self.run_it("mesh", self.plate, "-o", self.path("a.vtu"), "--quiet")
+        self.assert_done(done)
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def test_same_bytes_whatever_the_threads(self):
+        for threads in ("1", "2", "7"):
+            self.assert_done(self.run_it("mesh", self.plate, "--threads", threads, "-o", self.path(threads + ".vtu"),
+                                         "-o", self.path(threads + ".inp")))
+        self.assertEqual(self.read("1.vtu"), self.read("2.vtu"))
+        self.assertEqual(self.read("1.vtu"), self.read("7.vtu"))
+        self.assertEqual(self.read("1.inp"), self.read("7.inp"))
+
+    def test_size_overrides_that_of_the_model(self):
+        def count(*arguments):
+            done = self.run_it("mesh", self.plate, "--json", *arguments)
+            self.assert_done(done)
+            return json.loads(done.stdout)["counts"]["quads"]
+        self.assertGreater(count("--size", "0.5"), 2 * count())
+
+    def test_report(self):
+        report_file = self.path("r.json")
+        done = self.run_it("mesh", self.plate, "-o", self.path("a.vtu"), "--report", report_file, "--json")
+        self.assert_done(done)
+        report = json.loads(done.stdout)
+        self.assertEqual(report, json.loads(self.read("r.json")))
+        self.assertTrue(report["ok"])
+        self.assertIsNone(report["failure"])
+        self.assertEqual(report["model"], {"file": self.plate, "name": "plate", "units": "mm"})
+        self.assertEqual(report["options"]["size"], 1)
+        self.assertEqual(report["files"], [self.path("a.vtu")])
+        self.assertEqual(report["counts"]["triangles"], 0)
+        self.assertGreater(report["tolerance"], 0)
+        for when in ("before_smoothing", "after_smoothing"):
+            quality = report["quality"][when]
+            self.assertLessEqual(quality["scaled_jacobian"]["min"], quality["scaled_jacobian"]["p5"])
+        self.assertIn(quality["verdict"], ("excellent", "good"))
+        stages = [stage["stage"] for stage in report["stages"]]
+        self.assertEqual([stages[0], stages[-1]], ["read", "write"])
+        self.assertIn("qmorph", stages)
+        peaks = [stage["peak_memory_bytes"] for stage in report["stages"]]
+        self.assertEqual(peaks, sorted(peaks))
+        self.assertGreater(peaks[0], 1e5)
+        self.assertEqual(report["peak_memory_bytes"], peaks[-1])
+        self.assertLessEqual(sum(stage["seconds"] for stage in report["stages"]), report["seconds"])
+
+    def test_stages(self):
+        self.assert_done(self.run_it("mesh", self.plate, "--stages", self.path("new/stages")))
+        files = sorted(os.listdir(self.path("new/stages")))
+        self.assertEqual(files[:2], ["01-triangulation.svg", "01-triangulation.vtu"])
+        self.assertIn("smoothed", files[-1])
+        self.assertEqual(len(files) % 2, 0)
+        for name in files:
+            self.assertRegex(name, r"\A\d\d-[a-z-]+\.(svg|vtu)\Z")
+        done = self.run_it("check", self.path("new/stages/01-triangulation.vtu"))
+        self.assert_done(done)
+        self.assertIn(" 0 quads, ", done.stdout)
+
+    def test_findings_are_lines_on_standard_error(self):
+        model = dict(PLATE, lines=PLATE["lines"] + [{"name": "again", "path": [[8, 2], [0, 2]]}])
+        file = self.put("twice.json", model)
+        done = self.run_it("mesh", file, "-o", self.path("a.vtu"))
+        self.assert_done(done)
+        self.assertRegex(done.stderr, r"\Aquadline: [^\n]*twice\.json: /lines/1/path: note: [^\n]+ at \([^\n]*\)\n\Z")
+        done = self.run_it("mesh", file, "-o", self.path("a.vtu"), "--quiet")
+        self.assertEqual(done.stderr, "")
+
+    def test_poly_needs_a_size(self):
+        file = self.put("square.poly", POLY)
+        out = self.path("a.vtu")
+        self.assert_fails(2, file + ": the model gives no target size: give --size H", "mesh", file, "-o", out)
+        self.assert_done(self.run_it("mesh", file, "-o", out, "--size", "0.5"))
+        self.assert_done(self.run_it("check", out, "--model", file))
+
+    def test_absurd_sizes_are_refused(self):
+        out = self.path("a.vtu")
+        done = self.run_it("mesh", self.plate, "-o", out, "--size", "1e-6")
+        self.assert_done(done, 2)
+        self.assertRegex(done.stderr, r"about [89]\.\de\+13 quads are expected, more than 5e\+07: [^\n]+\n\Z")
+        self.assertEqual(self.run_it("mesh", self.plate, "-o", out, "--max-quads", "10").returncode, 2)
+        line = dict(PLATE, lines=[{"name": "a", "path": [[0, 2], [8, 2]], "size": 1e-9}])
+        self.assertEqual(self.run_it("mesh", self.put("fine.json", line), "-o", out).returncode, 2)
+        self.assertFalse(os.path.exists(out))
+
+
+class WrongInput(CommandLine):
+    def test_the_message_names_file_and_path(self):
+        out = self.path("a.vtu")
+        for name, content, message in [
+                ("a.json", "", "the file is empty"),
+                ("b.json", "{\"outer\": [[0, 0],", "line 1, column 19: no valid JSON: unexpected end of input"),
+                ("c.json", dict(PLATE, outer=[[0, 0], [1, "x"], [1, 1]]), "/outer/1/1: expected a number, found the text 'x'"),
+                ("d.json", dict(PLATE, linse=[]), "/linse: unknown key 'linse': did you mean 'lines'?"),
+                ("e.poly", "4 2\n1 0\n", "line 2: expected the y coordinate, found the end of the line")]:
+            with self.subTest(name=name):
+                file = self.put(name, content)
+                for command in (["mesh", file, "-o", out], ["info", file]):
+                    done = self.run_it(*command)
+                    self.assert_done(done, 2)
+                    self.assertTrue(done.stderr.startswith("quadline: " + file + ": " + message), done.stderr)
+                    self.assertEqual(done.stderr.count("\n"), 1)
+        self.assertFalse(os.path.exists(out))
+
+    def test_files_that_cannot_be_read(self):
+        gone = self.path("gone.json")
+        self.assert_fails(2, gone + ": cannot be read: No such file or directory", "info", gone)
+        folder = self.path("folder.json")
+        os.mkdir(folder)
+        self.assert_fails(2, folder + ": cannot be read: Is a directory", "info", folder)
+        self.assert_fails(2, folder + ": cannot be read: Is a directory", "check", folder)
+        self.assertEqual(self.run_it("check", self.plate).returncode, 2)  # a model is no mesh
+
+    def test_geometry_that_cannot_be_mended_names_a_place(self):
+        flat = self.put("flat.json", {"size": 1, "outer": [[0, 0], [1, 0], [2, 0]]})
+        done = self.run_it("mesh", flat, "-o", self.path("a.vtu"))
+        self.assert_done(done, 2)
+        self.assertRegex(done.stderr, r"\Aquadline: [^\n]+flat\.json: /outer[^\n]*: [^\n]+\n\Z")
+
+
+class Writing(CommandLine):
+    def test_what_stood_there_stays_where_writing_fails(self):
+        self.put("a.vtu", "old")
+
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+        done = self.run_it("mesh", self.plate, "-o", self.path("a.vtu"), preexec_fn=small_files)
+        self.assert_done(done, 4)
+        self.assertEqual(done.stderr, "quadline: " + self.path("a.vtu") + ": cannot be written: File too large\n")
+        self.assertEqual(self.read("a.vtu"), b"old")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["a.vtu", "plate.json"])
+
+    def test_places_that_cannot_be_written_are_found_before_the_work(self):
+        out = self.path("none/a.vtu")
+        self.assert_fails(4, out + ": cannot be written: its folder does not exist", "mesh", self.plate, "-o", out)
+        os.mkdir(self.path("b.vtu"))
+        self.assert_fails(4, self.path("b.vtu") + ": cannot be written: it is a folder",
+                          "mesh", self.plate, "-o", self.path("a.vtu"), "-o", self.path("b.vtu"))
+        done = self.run_it("mesh", self.plate, "--stages", self.plate)
+        self.assert_done(done, 4)
+
+    def test_full_disk(self):
+        self.assert_fails(4, "/dev/full: cannot be written: No space left on device",
+                          "mesh", self.plate, "--report", "/dev/full", "--quiet")
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([QUADLINE, "info", self.plate], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assert_done(subprocess.CompletedProcess([], done.returncode, "", done.stderr), 4)
+        self.assertIn("standard output cannot be written: No space left on device", done.stderr)
+
+
+class Interrupts(CommandLine):
+    def interrupted(self, sign):
+        self.put("a.vtu", "old")
+        process = subprocess.Popen([QUADLINE, "mesh", self.plate, "--size", "0.008", "-o", self.path("a.vtu"),
+                                    "--report", self.path("r.json")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.7)
+        self.assertIsNone(process.poll(), "the work was over before it could be interrupted")
+        process.send_signal(sign)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertEqual((out, err), ("", "quadline: interrupted\n"))
+        self.assertEqual(self.read("a.vtu"), b"old")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["a.vtu", "plate.json"])
+
+    def test_interrupt_leaves_nothing_half_written(self):
+        self.interrupted(signal.SIGINT)
+
+    def test_terminate_does_too(self):
+        self.interrupted(signal.SIGTERM)
+
+    def test_reading_from_a_silent_pipe_ends_too(self):
+        pipe = self.path("pipe.json")
+        os.mkfifo(pipe)
+        process = subprocess.Popen([QUADLINE, "info", pipe], stderr=subprocess.PIPE, text=True)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=20)[1], "quadline: interrupted\n")
+        self.assertEqual(process.returncode, 130)
+
+
+class Progress(CommandLine):
+    def on_terminal(self, *arguments):
+        """What the program writes to a terminal."""
+        master, slave = pty.openpty()
+        process = subprocess.Popen([QUADLINE, *arguments], stdout=subprocess.DEVNULL, stderr=slave,
+                                   env=dict(os.environ, TERM="xterm"))
+        os.close(slave)
+        shown = b""
+        while select.select([master], [], [], 120)[0]:
+            try:
+                piece = os.read(master, 4096)
+            except OSError:  # the other end was closed
+                break
+            if not piece:
+                break
+            shown += piece
+        os.close(master)
+        self.assertEqual(process.wait(timeout=120), 0)
+        return shown.decode()
+
+    def test_a_bar_on_a_terminal_only(self):
+        work = ["mesh", self.plate, "--size", "0.07", "-o", self.path("a.vtu")]
+        shown = self.on_terminal(*work)
+        self.assertRegex(shown, r"\r\x1b\[K\[#*\.*\] +\d+ %  [a-z -]+  \d+\.\d s")
+        self.assertTrue(shown.endswith("\r\x1b[K"), "the bar is wiped away")
+        self.assertEqual(self.on_terminal(*work, "--quiet"), "")
+        self.assertEqual(self.run_it(*work).stderr, "")
+
+
+class Check(CommandLine):
+    def test_a_mesh_of_ours_is_valid(self):
+        out = self.path("a.msh")
+        self.assert_done(self.run_it("mesh", self.plate, "-o", out, "--quiet"))
+        done = self.run_it("check", out, "--model", self.plate, "--all-quad")
+        self.assert_done(done)
+        self.assertIn("valid: yes\n", done.stdout)
+        for word in ("beta", "scaled Jacobian", "least angle", "edge length", "irregular nodes"):
+            self.assertIn(word, done.stdout)
+        done = self.run_it("check", out, "--model", self.plate, "--json")
+        self.assert_done(done)
+        verdict = json.loads(done.stdout)
+        self.assertTrue(verdict["valid"])
+        self.assertEqual(verdict["model"], {"file": self.plate, "kept": True, "broken": None})
+        self.assertEqual({fault["count"] for fault in verdict["faults"]}, {0})
+
+    def test_a_mesh_that_misses_a_line_is_not_what_the_model_asks_for(self):
+        out = self.path("a.msh")
+        self.assert_done(self.run_it("mesh", self.plate, "-o", out, "--quiet"))
+        more = dict(PLATE, lines=PLATE["lines"] + [{"name": "other", "path": [[2, 3.1], [7, 7.3]]}])
+        done = self.run_it("check", out, "--model", self.put("more.json", more))
+        self.assert_done(done, 3)
+        self.assertIn("valid: no\n", done.stdout)
+        self.assertRegex(done.stdout, r"  - against the model: [^\n]+ at \(")
+
+    def test_faults_are_named_with_a_place(self):
+        done = self.run_it("check", self.put("seam.inp", SEAM))
+        self.assert_done(done, 3)
+        self.assertIn("  - 2 nodes at the place of another, the first at (1, 0)\n", done.stdout)
+        verdict = json.loads(self.run_it("check", self.path("seam.inp"), "--json").stdout)
+        self.assertFalse(verdict["valid"])
+        self.assertEqual([fault["count"] for fault in verdict["faults"] if fault["count"]], [2])
+
+    def test_triangles_count_only_where_quads_are_asked_for(self):
+        mesh = self.put("t.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n4, 1, 1\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n2, 2, 4, 3\n")
+        self.assert_done(self.run_it("check", mesh))
+        done = self.run_it("check", mesh, "--all-quad")
+        self.assert_done(done, 3)
+        self.assertIn("not all elements are quads", done.stdout)
+
+
+class InfoAndDraw(CommandLine):
+    def test_info_tells_what_the_model_holds(self):
+        done = self.run_it("info", self.plate)
+        self.assert_done(done)
+        for line in ("size: 1 mm", "outer loops: 1", "holes: 1", "lines: 1", "points: 1", "regions: 1", "cells: 1",
+                     "mended: 0 findings"):
+            self.assertIn("  " + line + "\n", done.stdout)
+        info = json.loads(self.run_it("info", self.plate, "--json").stdout)
+        self.assertTrue(info["ok"])
+        self.assertAlmostEqual(info["area"], 12 * 8 - 3.14159265358979 * 1.5 ** 2, 6)
+        self.assertEqual(info["box"], [[0, 0], [12, 8]])
+        self.assertTrue(50 < info["expected_quads"] < 150)
+
+    def test_info_tells_what_is_wrong(self):
+        file = self.put("wrong.json", dict(PLATE, holes=[{"center": [1, 1]}]))
+        self.assert_fails(2, file + ": /holes/0: 'radius' is missing", "info", file)
+        done = self.run_it("info", file, "--json")
+        self.assert_done(done, 2)
+        info = json.loads(done.stdout)
+        self.assertFalse(info["ok"])
+        self.assertEqual(info["place"], "/holes/0")
+
+    def test_draw(self):
+        self.assert_done(self.run_it("mesh", self.plate, "-o", self.path("a.vtu"), "--quiet"))
+        done = self.run_it("draw", self.path("a.vtu"), "-o", self.path("a.svg"))
+        self.assert_done(done)
+        self.assertIn(b"<svg", self.read("a.svg"))
+        self.assertEqual(done.stdout + done.stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main()
