@@ -3,23 +3,37 @@
 // curvature of chi is left out of the Hessian, which keeps it positive definite.
 #include "stages/cleanup/star.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quadline::cleanup {
 
 namespace {
 
-constexpr double kFlat = 0.02;      // corner area, relative to the squares of the sides, below which e > 0
-constexpr double kSoftening = 0.1;  // e, in the same unit
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFlat = 0.02;       // corner area, relative to the squares of the sides, below which e > 0
+constexpr double kSoftening = 0.1;   // e, in the same unit
+constexpr double kSmallStep = 1e-8;  // squared, in the same unit: not worth while
 constexpr int kHalvings = 4;
 
+// chi and its slope in the place of the area; plain areas where nothing is near flat.
+struct Plain {
+  double chi(double area) const { return area; }
+  double slope(double) const { return 1; }
+};
+struct Soft {
+  double e2;
+  double chi(double area) const { return 0.5 * (area + std::sqrt(area * area + e2)); }
+  double slope(double area) const { return 0.5 * (1 + area / std::sqrt(area * area + e2)); }
+};
+
+// The three corners of a star quad that move with its node: edge vectors towards the next and the previous corner.
 struct Corner {
-  Point u, v;  // towards the next and the previous corner
+  Point u, v;
   double area() const { return cross(u, v); }
   double squares() const { return norm2(u) + norm2(v); }
 };
-
-// The three corners of a star quad that move with its node.
 struct Corners {
   Corner own, next, previous;
   Corners(Point p, const StarQuad& q)
@@ -28,73 +42,74 @@ struct Corners {
         previous{p - q.previous, q.opposite - q.previous} {}
 };
 
-double chi(double area, double e2) { return e2 == 0 ? area : 0.5 * (area + std::sqrt(area * area + e2)); }
-
-double energy(Point p, std::span<const StarQuad> star, double e2) {
+template <class Chi>
+double energy(Point p, std::span<const StarQuad> star, Chi chi) {
   double sum = 0;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
-    for (const Corner& corner : {c.own, c.next, c.previous}) {
-      const double d = chi(corner.area(), e2);
-      if (!(d > 0)) return HUGE_VAL;
-      sum += corner.squares() / d;
-    }
+    const double a = chi.chi(c.own.area()), b = chi.chi(c.next.area()), d = chi.chi(c.previous.area());
+    if (!(a > 0 && b > 0 && d > 0)) return kInfinity;
+    sum += c.own.squares() / a + c.next.squares() / b + c.previous.squares() / d;
   }
   return sum;
 }
 
 struct Newton {
+  double value = 0;
   Point gradient;
   double xx = 0, xy = 0, yy = 0;
 
-  // Adds squares / chi(area), with the gradients of both in the place of the node.
-  void add(const Corner& c, double e2, Point grad_squares, double hess_squares, Point grad_area) {
-    const double area = c.area(), d = chi(area, e2);
-    const double slope = e2 == 0 ? 1 : 0.5 * (1 + area / std::sqrt(area * area + e2));
-    const double r = 1 / d, n = c.squares();
-    const Point g = slope * grad_area;
-    gradient += r * grad_squares - (n * r * r) * g;
-    const double k = 2 * n * r * r * r, m = r * r;
+  // Adds squares / chi(area), with the derivatives of both by the place of the node.
+  template <class Chi>
+  void add(const Corner& c, Chi chi, Point grad_squares, double hess_squares, Point grad_area) {
+    const double area = c.area(), r = 1 / chi.chi(area), n = c.squares();
+    const Point g = chi.slope(area) * grad_area;
+    const double m = r * r, k = 2 * n * r * m;
+    value += n * r;
+    gradient += r * grad_squares - (n * m) * g;
     xx += hess_squares * r - 2 * m * grad_squares.x * g.x + k * g.x * g.x;
     yy += hess_squares * r - 2 * m * grad_squares.y * g.y + k * g.y * g.y;
     xy += k * g.x * g.y - m * (grad_squares.x * g.y + grad_squares.y * g.x);
   }
 };
 
-}  // namespace
-
-Point better_place(Point p, std::span<const StarQuad> star) {
-  double least = HUGE_VAL, squares = 0;
-  for (const StarQuad& q : star) {
-    const Corners c(p, q);
-    for (const Corner& corner : {c.own, c.next, c.previous}) {
-      least = std::fmin(least, corner.area());
-      squares += corner.squares();
-    }
-  }
-  const double unit = squares / (6 * static_cast<double>(star.size()));
-  const double e = least > kFlat * unit ? 0 : kSoftening * unit, e2 = e * e;
-
+template <class Chi>
+Point newton_step(Point p, std::span<const StarQuad> star, double unit, Chi chi) {
   Newton sum;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const Point u = c.own.u, v = c.own.v;
-    const Point ahead = q.opposite - q.next, back = q.opposite - q.previous;
-    sum.add(c.own, e2, -2.0 * (u + v), 4, {u.y - v.y, v.x - u.x});
-    sum.add(c.next, e2, 2.0 * c.next.v, 2, {-ahead.y, ahead.x});
-    sum.add(c.previous, e2, 2.0 * c.previous.u, 2, {back.y, -back.x});
+    const Point ahead = c.next.u, back = c.previous.v;
+    sum.add(c.own, chi, -2.0 * (u + v), 4, {u.y - v.y, v.x - u.x});
+    sum.add(c.next, chi, 2.0 * c.next.v, 2, {-ahead.y, ahead.x});
+    sum.add(c.previous, chi, 2.0 * c.previous.u, 2, {back.y, -back.x});
   }
   const double det = sum.xx * sum.yy - sum.xy * sum.xy;
   if (!(det > 0)) return p;
   const Point g = sum.gradient;
   const Point step = {-(sum.yy * g.x - sum.xy * g.y) / det, -(sum.xx * g.y - sum.xy * g.x) / det};
-  const double before = energy(p, star, e2);
+  if (norm2(step) < kSmallStep * unit) return p;
   double t = 1;
   for (int i = 0; i < kHalvings; ++i, t *= 0.5) {
     const Point trial = p + t * step;
-    if (energy(trial, star, e2) < before) return trial;
+    if (energy(trial, star, chi) < sum.value) return trial;
   }
   return p;
+}
+
+}  // namespace
+
+Point better_place(Point p, std::span<const StarQuad> star) {
+  double least = kInfinity, squares = 0;
+  for (const StarQuad& q : star) {
+    const Corners c(p, q);
+    least = std::min({least, c.own.area(), c.next.area(), c.previous.area()});
+    squares += c.own.squares();
+  }
+  const double unit = squares / (2 * static_cast<double>(star.size()));
+  if (least > kFlat * unit) return newton_step(p, star, unit, Plain{});
+  const double e = kSoftening * unit;
+  return newton_step(p, star, unit, Soft{e * e});
 }
 
 }  // namespace quadline::cleanup

@@ -1,0 +1,66 @@
+#include "stages/verify/fit_to_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "domain/arrange.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace quadline {
+namespace {
+
+/// A square of edge 2 with a line across its middle, from right to left, and a point in it.
+Domain square_with_line() {
+  Model model;
+  model.size = 1;
+  model.outer = {{.items = {{{0, 0}, {}}, {{2, 0}, {}}, {{2, 2}, {}}, {{0, 2}, {}}}, .circle = {}, .where = "/outer"}};
+  model.lines = {{.name = "girder",
+                  .path = {.items = {{{2, 1}, {}}, {{0, 1}, {}}}, .circle = {}, .where = "/lines/0/path"},
+                  .size = {}}};
+  model.points = {{.name = "load", .at = {1, 1}, .size = {}, .where = "/points/0"}};
+  Context context;
+  return arrange(model, {}, context);
+}
+
+/// Two by two quads, row by row from the lower left, without names, as from a file with rounded numbers.
+Mesh four_quads() {
+  Mesh mesh;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) mesh.points.push_back({x + 1e-12, y - 1e-12});
+  mesh.quads = {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}, {4, 5, 8, 7}};
+  mesh.quad_region = {0, 0, 0, 0};
+  mesh.regions = {"domain"};
+  return mesh;
+}
+
+TEST(FitToModel, FindsCurvesAndPointsByTheirPlace) {
+  const Domain domain = square_with_line();
+  const Mesh fitted = fit_to_model(four_quads(), domain);
+  ASSERT_EQ(fitted.curves.size(), 2u);
+  EXPECT_EQ(fitted.curves[0].name, "outer-1");
+  EXPECT_EQ(fitted.curves[0].kind, CurveKind::Outer);
+  EXPECT_EQ(fitted.curves[0].edges.size(), 8u);
+  EXPECT_EQ(fitted.curves[1].name, "girder");
+  using Edges = std::vector<std::array<NodeIndex, 2>>;
+  EXPECT_EQ(fitted.curves[1].edges, (Edges{{5, 4}, {4, 3}}));
+  ASSERT_EQ(fitted.node_sets.size(), 1u);
+  EXPECT_EQ(fitted.node_sets[0].name, "load");
+  EXPECT_EQ(fitted.node_sets[0].nodes, std::vector<NodeIndex>{4});
+  EXPECT_EQ(fitted.points[0], (Point{0, 0}));  // moved onto the corner
+  Context context;
+  EXPECT_FALSE(verify(fitted, domain, context).has_value());
+}
+
+TEST(FitToModel, LeavesOutWhatTheMeshDoesNotHave) {
+  const Domain domain = square_with_line();
+  Mesh mesh = four_quads();
+  mesh.points[4].y = 1.2;
+  mesh.curves = {{"girder", CurveKind::Line, {{5, 4}, {4, 3}}}};  // what the mesh says does not count
+  const Mesh fitted = fit_to_model(mesh, domain);
+  EXPECT_TRUE(fitted.curves[1].edges.empty());
+  EXPECT_TRUE(fitted.node_sets.empty());
+  Context context;
+  EXPECT_TRUE(verify(fitted, domain, context).has_value());
+}
+
+}  // namespace
+}  // namespace quadline
