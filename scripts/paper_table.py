@@ -55,7 +55,10 @@ def markdown(rows):
 
 
 def pictures(folder):
-    return "".join("\n![Fig. %s: %s](%s/%s.svg)\n" % (name[3:], WHAT[name], folder, name) for name in PAPER)
+    width = {"fig16": 32, "fig17": 32, "fig18": 32, "fig19": 48, "fig20": 48}
+    rows = ['<img src="%s/%s.svg" width="%d%%" alt="Fig. %s: %s">' % (folder, name, width[name], name[3:], what)
+            for name, what in WHAT.items()]
+    return "\n" + "\n".join(rows) + "\n"
 
 
 def write(path, text):
@@ -82,9 +85,9 @@ models, not on the same. Table 3 has no figures of Fig. 20; those of Fig. 19 are
 """ + table + pictures("images"))
     with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as f:
         head, found, rest = f.read().partition(BEGIN)
-    tail = rest.partition(END)[2]
-    if not found:
-        sys.exit("paper_table: README.md has no line " + BEGIN)
+    _, closed, tail = rest.partition(END)
+    if not (found and closed):
+        sys.exit("paper_table: README.md lacks the lines %s and %s" % (BEGIN.strip(), END.strip()))
     write("README.md", head + BEGIN + "\n" + table + pictures("docs/images") + "\n" + END + tail)
 
 

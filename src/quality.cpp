@@ -20,46 +20,67 @@ struct Side {
 
 bool same_edge(const Side& s, const Side& t) { return s.a == t.a && s.b == t.b; }
 
-// All sides of all faces, equal edges beside each other.
+// All sides of all faces, equal edges beside each other: by the lower node through counting, then each node's few.
 std::vector<Side> sorted_sides(const Mesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(4 * mesh.quads.size() + 3 * mesh.triangles.size());
-  std::uint32_t face = 0;
-  const auto add = [&](const auto& nodes) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const NodeIndex p = nodes[i], q = nodes[(i + 1) % nodes.size()];
-      sides.push_back({std::min(p, q), std::max(p, q), face, static_cast<std::uint8_t>(i), p < q});
-    }
-    ++face;
+  const auto for_each_side = [&](auto visit) {
+    std::uint32_t face = 0;
+    const auto walk = [&](const auto& nodes) {
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const NodeIndex p = nodes[i], q = nodes[(i + 1) % nodes.size()];
+        visit(Side{std::min(p, q), std::max(p, q), face, static_cast<std::uint8_t>(i), p < q});
+      }
+      ++face;
+    };
+    for (const auto& q : mesh.quads) walk(q);
+    for (const auto& t : mesh.triangles) walk(t);
   };
-  for (const auto& q : mesh.quads) add(q);
-  for (const auto& t : mesh.triangles) add(t);
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    if (s.a != t.a) return s.a < t.a;
-    if (s.b != t.b) return s.b < t.b;
-    return s.face < t.face;
-  });
+  std::vector<std::size_t> first(mesh.points.size() + 1, 0);
+  for_each_side([&](const Side& s) { ++first[s.a + 1]; });
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  std::vector<Side> sides(first.back());
+  std::vector<std::size_t> fill = first;
+  for_each_side([&](const Side& s) { sides[fill[s.a]++] = s; });
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    std::sort(sides.data() + first[v], sides.data() + first[v + 1],
+              [](const Side& s, const Side& t) { return s.b != t.b ? s.b < t.b : s.face < t.face; });
+  }
   return sides;
 }
 
-Statistics statistics(std::vector<double> values) {
+std::vector<std::array<NodeIndex, 2>> unique_edges(const std::vector<Side>& sides) {
+  std::vector<std::array<NodeIndex, 2>> edges;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (i == 0 || !same_edge(sides[i], sides[i - 1])) edges.push_back({sides[i].a, sides[i].b});
+  return edges;
+}
+
+// Percentiles without sorting it all; `values` is left in another order.
+Statistics statistics(std::vector<double>& values) {
   Statistics s;
   if (values.empty()) return s;
-  std::sort(values.begin(), values.end());
+  for (const double v : values) s.mean += v;
+  s.mean /= static_cast<double>(values.size());
+  std::size_t done = 0;  // values before it are in their places
+  const auto value_at = [&](std::size_t i) {
+    if (i >= done)
+      std::nth_element(values.begin() + static_cast<std::ptrdiff_t>(done),
+                       values.begin() + static_cast<std::ptrdiff_t>(i), values.end());
+    done = std::max(done, i + 1);
+    return values[i];
+  };
   const auto at = [&](double part) {  // linear between the neighbours
     const double place = part * static_cast<double>(values.size() - 1);
     const std::size_t i = static_cast<std::size_t>(place);
-    const std::size_t j = std::min(i + 1, values.size() - 1);
-    return values[i] + (place - static_cast<double>(i)) * (values[j] - values[i]);
+    const double low = value_at(i), high = value_at(std::min(i + 1, values.size() - 1));
+    return low + (place - static_cast<double>(i)) * (high - low);
   };
-  for (const double v : values) s.mean += v / static_cast<double>(values.size());
-  s.min = values.front();
+  s.min = at(0);
   s.p1 = at(0.01);
   s.p5 = at(0.05);
   s.median = at(0.5);
   s.p95 = at(0.95);
   s.p99 = at(0.99);
-  s.max = values.back();
+  s.max = at(1);
   return s;
 }
 
@@ -71,7 +92,7 @@ QuadPoints points_of(const Mesh& mesh, const std::array<NodeIndex, 4>& q) {
 // curve: each group so made is a wedge between curves, or all that is round an inner node.
 class Irregularity {
  public:
-  explicit Irregularity(const Mesh& mesh) : mesh_(mesh), sides_(sorted_sides(mesh)) {}
+  Irregularity(const Mesh& mesh, const std::vector<Side>& sides) : mesh_(mesh), sides_(sides) {}
 
   std::size_t count() {
     mark_curves();
@@ -160,7 +181,7 @@ class Irregularity {
   }
 
   const Mesh& mesh_;
-  std::vector<Side> sides_;
+  const std::vector<Side>& sides_;
   std::vector<std::uint8_t> curve_, on_curve_;  // of sides; of nodes
   std::vector<std::uint32_t> group_;            // of corners: union-find
 };
@@ -175,12 +196,7 @@ std::string_view verdict(double beta) {
 
 double distortion(Point a, Point b, Point c, Point d) { return quad_distortion({a, b, c, d}); }
 
-std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh) {
-  std::vector<std::array<NodeIndex, 2>> edges;
-  for (const Side& s : sorted_sides(mesh))
-    if (edges.empty() || edges.back() != std::array<NodeIndex, 2>{s.a, s.b}) edges.push_back({s.a, s.b});
-  return edges;
-}
+std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh) { return unique_edges(sorted_sides(mesh)); }
 
 Quality measure(const Mesh& mesh, std::span<const double> size) {
   Quality q;
@@ -212,19 +228,20 @@ Quality measure(const Mesh& mesh, std::span<const double> size) {
   }
   if (mesh.quads.empty()) q.beta_min = 0;
   q.beta_mean = mesh.quads.empty() ? 0 : std::exp(log_beta / static_cast<double>(mesh.quads.size()));
-  q.scaled_jacobian = statistics(std::move(jacobian));
-  q.min_angle_deg = statistics(std::move(least));
-  q.max_angle_deg = statistics(std::move(greatest));
-  q.aspect = statistics(std::move(aspect));
+  q.scaled_jacobian = statistics(jacobian);
+  q.min_angle_deg = statistics(least);
+  q.max_angle_deg = statistics(greatest);
+  q.aspect = statistics(aspect);
   std::vector<double> lengths, ratios;
-  const auto edges = edges_of(mesh);
+  const std::vector<Side> sides = sorted_sides(mesh);
+  const auto edges = unique_edges(sides);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     lengths.push_back(distance(mesh.points[edges[i][0]], mesh.points[edges[i][1]]));
     if (!size.empty()) ratios.push_back(lengths.back() / size[i]);
   }
-  q.edge_length = statistics(std::move(lengths));
-  if (!size.empty()) q.edge_to_size = statistics(std::move(ratios));
-  q.n_irregular = Irregularity(mesh).count();
+  q.edge_length = statistics(lengths);
+  if (!size.empty()) q.edge_to_size = statistics(ratios);
+  q.n_irregular = Irregularity(mesh, sides).count();
   return q;
 }
 

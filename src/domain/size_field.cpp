@@ -17,7 +17,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 }  // namespace
 
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context) {
-  context.progress("sizes", 0);
+  context.progress("sizing", 0);
   double largest = 0, least = kNone;
   for (const Domain::Cell& cell : domain.cells) {
     largest = std::max(largest, cell.size);
@@ -35,7 +35,7 @@ SizeField make_size_field(const Domain& domain, const Options& options, Context&
   for (const Domain::PointUse& p : domain.points)
     if (p.size < largest) sources.push_back({domain.vertices[p.vertex].at, domain.vertices[p.vertex].at, p.size});
   append_gaps(domain, asks.sizes, sources);
-  context.progress("sizes", 0.5);
+  context.progress("sizing", 0.5);
 
   const CellLocator cells(domain);
   SizeTree tree(domain.box, sources, [&](Point p) {
@@ -47,7 +47,7 @@ SizeField make_size_field(const Domain& domain, const Options& options, Context&
   SizeField field;
   field.least_edges_ = std::move(asks.least_edges);
   tree.write(field);
-  context.progress("sizes", 1);
+  context.progress("sizing", 1);
   return field;
 }
 

@@ -1,6 +1,6 @@
 #include "stages/smooth/beta_energy.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -96,4 +96,4 @@ double BetaEnergy::value(const Star& star, Point at, double floor2) const {
   return sum;
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

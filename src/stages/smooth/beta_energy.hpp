@@ -4,7 +4,7 @@
 #include "stages/smooth/shape_energy.hpp"
 #include "stages/smooth/star.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// Sum over the quads of a smooth stand-in for -ln(beta) [Lee2003 eq 2], with terms that keep shape and size.
 ///
@@ -27,4 +27,4 @@ class BetaEnergy {
   double epsilon2_;
 };
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

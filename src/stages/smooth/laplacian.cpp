@@ -3,7 +3,7 @@
 #include "stages/smooth/star.hpp"
 #include "stages/smooth/steps.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -46,4 +46,4 @@ void laplacian(Stars& stars, const SmoothOptions& options) {
   }
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

@@ -4,7 +4,7 @@
 #include "stages/smooth/shape_energy.hpp"
 #include "stages/smooth/steps.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -23,4 +23,4 @@ void optimize(Stars& stars, const SmoothOptions& options) {
         {.passes = options.passes, .min_move = options.min_move, .floor2 = kFloor2});
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

@@ -4,7 +4,7 @@
 #include "stages/smooth/relax.hpp"
 #include "stages/smooth/steps.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -21,4 +21,4 @@ void polish(Stars& stars, const SmoothOptions& options) {
   }
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

@@ -4,7 +4,7 @@
 
 #include "quadline/point.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// An energy near the place of one node: value, gradient and Hessian.
 struct Quadratic {
@@ -48,4 +48,4 @@ struct Quadratic {
   static constexpr double kFlat = 1e-12;
 };
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

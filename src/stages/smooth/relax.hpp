@@ -3,7 +3,7 @@
 #include "stages/smooth/quadratic.hpp"
 #include "stages/smooth/star.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// How nodes are taken to the minimum of an energy.
 struct Sweeps {
@@ -66,4 +66,4 @@ void relax(Stars& stars, const Energy& energy, const Sweeps& sweeps) {
   }
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

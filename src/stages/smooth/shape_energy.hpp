@@ -3,7 +3,7 @@
 #include "stages/smooth/quadratic.hpp"
 #include "stages/smooth/star.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// Inverse mean ratio (|u|^2 + |v|^2) / 2 of a corner, times its determinant, with the derivatives of the numerator.
 struct CornerShape {
@@ -117,4 +117,4 @@ class BarrierEnergy {
   double epsilon2_, below_;
 };
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

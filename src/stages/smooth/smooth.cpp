@@ -7,14 +7,14 @@ namespace quadline {
 void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const SmoothOptions& options,
             Context& context) {
   if (options.passes <= 0) return;
-  Stars stars(mesh, domain, size);
-  laplacian(stars, options);
+  smoothing::Stars stars(mesh, domain, size);
+  smoothing::laplacian(stars, options);
   context.progress("smooth", 0.15);
-  untangle(stars, options);
+  smoothing::untangle(stars, options);
   context.progress("smooth", 0.2);
-  optimize(stars, options);
+  smoothing::optimize(stars, options);
   context.progress("smooth", 0.4);
-  polish(stars, options);
+  smoothing::polish(stars, options);
   context.progress("smooth", 1);
   stars.store(mesh);
 }

@@ -6,7 +6,7 @@
 
 #include "stages/smooth/stars.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// A corner of a quad: its determinant (twice the area of its triangle) and the squares of its sides.
 struct Corner {
@@ -81,4 +81,4 @@ class Star {
   std::vector<Quad> quads_;
 };
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

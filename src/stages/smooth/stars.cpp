@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -139,4 +139,4 @@ void Stars::store(WorkMesh& mesh) const {
   }
 }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

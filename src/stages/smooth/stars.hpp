@@ -8,7 +8,7 @@
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// The three other corners of a quad, counter-clockwise after the node in question.
 struct Spoke {
@@ -84,4 +84,4 @@ class Stars {
   std::vector<std::uint32_t> list_, taken_;
 };
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

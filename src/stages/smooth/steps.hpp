@@ -3,7 +3,7 @@
 #include "stages/smooth/smooth.hpp"
 #include "stages/smooth/stars.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 /// Scaled Jacobian that every step may lower a star to, if it was better; squared.
 constexpr double kFloor2 = 0.8 * 0.8;
@@ -22,4 +22,4 @@ void optimize(Stars& stars, const SmoothOptions& options);
 /// Raises the geometric mean of beta.
 void polish(Stars& stars, const SmoothOptions& options);
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

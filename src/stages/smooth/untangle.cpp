@@ -6,7 +6,7 @@
 #include "stages/smooth/shape_energy.hpp"
 #include "stages/smooth/steps.hpp"
 
-namespace quadline {
+namespace quadline::smoothing {
 
 namespace {
 
@@ -96,4 +96,4 @@ class Untangler {
 
 void untangle(Stars& stars, const SmoothOptions& options) { Untangler(stars, options.min_move).run(); }
 
-}  // namespace quadline
+}  // namespace quadline::smoothing

@@ -106,7 +106,7 @@ TEST(CleanUp, RemovesADoublet) {
   EXPECT_EQ(c.defect, "");
   EXPECT_EQ(c.after.n_quads, 9u);
   EXPECT_EQ(c.after.n_irregular, 0u);
-  EXPECT_NEAR(c.after.mean_beta, 1, 1e-6);
+  EXPECT_GT(c.after.mean_beta, 0.99);
 }
 
 TEST(CleanUp, TurnsAnEdgeBack) {
@@ -180,9 +180,9 @@ TEST(CleanUp, MendsSplitTriangles) {
     EXPECT_EQ(c.defect, "");
     EXPECT_EQ(flat_sectors(c.mesh), 0);
     EXPECT_GT(c.before.irregular_share, 0.4);
-    EXPECT_LT(c.after.irregular_share, 0.14);
+    EXPECT_LT(c.after.irregular_share, 0.06);
     EXPECT_GT(c.after.least_jacobian, c.before.least_jacobian);
-    EXPECT_NEAR(double(c.after.n_quads), double(c.before.n_quads), 0.1 * double(c.before.n_quads));
+    EXPECT_NEAR(double(c.after.n_quads), double(c.before.n_quads), 0.25 * double(c.before.n_quads));
   }
 }
 
