@@ -22,11 +22,4 @@ bool insert_node(WorkMesh& mesh, NodeId v, FaceId f);
 /// quads [Lawson1977]. Ties stay as they are. `suspects` is empty afterwards.
 void restore_delaunay(WorkMesh& mesh, std::vector<EdgeId>& suspects);
 
-/// Order of the points along a Hilbert curve over their box: near in the order is near in the plane.
-std::vector<std::uint32_t> hilbert_order(const std::vector<Point>& points);
-
-/// Order for an incremental triangulation: rounds of doubling size, points falling into them as by chance, each round
-/// in Hilbert order [Amenta2003]. Without the rounds, points that stand in rows would cost quadratic time.
-std::vector<std::uint32_t> insertion_order(const std::vector<Point>& points);
-
 }  // namespace quadline

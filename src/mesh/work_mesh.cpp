@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
+#include "search/hilbert.hpp"
 
 namespace quadline {
 
@@ -112,18 +113,34 @@ void WorkMesh::drop_outside() {
   }
 }
 
-void WorkMesh::compact() {
-  const Topology::Renumbering map = topo_.compact();
-  const auto close = [](auto& array, const auto& to, std::size_t n) {
+void WorkMesh::compact() { follow(topo_.compact()); }
+
+void WorkMesh::sort_in_space() {
+  std::vector<FaceId> faces;
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i < topo_.face_capacity(); ++i) {
+    if (!topo_.is_live(FaceId(i))) continue;
+    faces.push_back(FaceId(i));
+    corners.push_back(point(topo_.tail(topo_.first(FaceId(i)))));
+  }
+  std::vector<FaceId> order;
+  order.reserve(faces.size());
+  for (const std::uint32_t i : hilbert_order(corners)) order.push_back(faces[i]);
+  follow(topo_.reorder(order));
+}
+
+void WorkMesh::follow(const Topology::Renumbering& map) {
+  const auto move = [](auto& array, const auto& to, std::size_t n) {
     using IdType = std::decay_t<decltype(array.end_id())>;
+    std::decay_t<decltype(array)> moved(n);
     for (std::size_t i = 0; i < to.count(); ++i)
-      if (to[IdType(i)].valid()) array[to[IdType(i)]] = array[IdType(i)];
-    array.raw().resize(n);
+      if (to[IdType(i)].valid()) moved[to[IdType(i)]] = array[IdType(i)];
+    array = std::move(moved);
   };
-  close(point_, map.node, topo_.node_capacity());
-  close(tag_, map.node, topo_.node_capacity());
-  close(curve_, map.edge, topo_.edge_capacity());
-  close(cell_, map.face, topo_.face_capacity());
+  move(point_, map.node, topo_.node_capacity());
+  move(tag_, map.node, topo_.node_capacity());
+  move(curve_, map.edge, topo_.edge_capacity());
+  move(cell_, map.face, topo_.face_capacity());
   for (Segment& s : segments) {
     s.a = map.node[s.a];
     s.b = map.node[s.b];

@@ -99,12 +99,15 @@ class WorkMesh {
   void drop_outside();
   /// Closes the gaps that deleted elements left.
   void compact();
+  /// The same, and puts elements that are near each other near each other in memory: later stages walk the mesh.
+  void sort_in_space();
 
   /// Nodes of curves in order, from the discretisation; the triangulation makes them edges.
   std::vector<Segment> segments;
 
  private:
   void fit();  ///< grows the arrays after the connectivity
+  void follow(const Topology::Renumbering& map);
   Topology topo_;
   IdVector<NodeId, Point> point_;
   IdVector<NodeId, NodeTag> tag_;

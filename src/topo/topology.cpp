@@ -303,27 +303,53 @@ Topology::Renumbering Topology::compact() {
   for (std::size_t i = 0; i < face_capacity(); ++i)
     if (is_live(FaceId(i))) map.face[FaceId(i)] = FaceId(n_faces++);
 
+  apply(map, n_nodes, n_edges, n_faces);
+  return map;
+}
+
+Topology::Renumbering Topology::reorder(std::span<const FaceId> order) {
+  Renumbering map{IdVector<NodeId, NodeId>(node_capacity()), IdVector<EdgeId, EdgeId>(edge_capacity()),
+                  IdVector<FaceId, FaceId>(face_capacity())};
+  std::size_t n_nodes = 0, n_edges = 0, n_faces = 0;
+  for (const FaceId f : order) {
+    QUADLINE_CHECK(is_live(f) && !map.face[f].valid());
+    map.face[f] = FaceId(n_faces++);
+    for_each_half(f, [&](HalfId h) {
+      if (!map.edge[edge_of(h)].valid()) map.edge[edge_of(h)] = EdgeId(n_edges++);
+      if (!map.node[tail(h)].valid()) map.node[tail(h)] = NodeId(n_nodes++);
+    });
+  }
+  for (std::size_t i = 0; i < node_capacity(); ++i)  // isolated nodes
+    if (is_live(NodeId(i)) && !map.node[NodeId(i)].valid()) map.node[NodeId(i)] = NodeId(n_nodes++);
+  QUADLINE_CHECK(n_faces == face_count() && n_edges == edge_count() && n_nodes == node_count());
+  apply(map, n_nodes, n_edges, n_faces);
+  return map;
+}
+
+void Topology::apply(const Renumbering& map, std::size_t n_nodes, std::size_t n_edges, std::size_t n_faces) {
   const auto moved = [&](HalfId h) { return h.valid() ? half_of(map.edge[edge_of(h)], h.value & 1) : HalfId(); };
+  IdVector<HalfId, Half> halves(2 * n_edges);
+  IdVector<NodeId, HalfId> out(n_nodes);
+  IdVector<FaceId, HalfId> first(n_faces);
   for (std::size_t i = 0; i < node_capacity(); ++i)
-    if (const NodeId to = map.node[NodeId(i)]; to.valid()) out_[to] = moved(out_[NodeId(i)]);
+    if (const NodeId to = map.node[NodeId(i)]; to.valid()) out[to] = moved(out_[NodeId(i)]);
   for (std::size_t i = 0; i < edge_capacity(); ++i) {
     const EdgeId to = map.edge[EdgeId(i)];
     if (!to.valid()) continue;
     for (int side = 0; side < 2; ++side) {
-      const Half h = half_[half_of(EdgeId(i), side)];
-      half_[half_of(to, side)] = {map.node[h.tail], moved(h.next), moved(h.prev),
-                                  h.face.valid() ? map.face[h.face] : FaceId()};
+      const Half& h = half_[half_of(EdgeId(i), side)];
+      halves[half_of(to, side)] = {map.node[h.tail], moved(h.next), moved(h.prev),
+                                   h.face.valid() ? map.face[h.face] : FaceId()};
     }
   }
   for (std::size_t i = 0; i < face_capacity(); ++i)
-    if (const FaceId to = map.face[FaceId(i)]; to.valid()) first_[to] = moved(first_[FaceId(i)]);
-  out_.raw().resize(n_nodes);
-  half_.raw().resize(2 * n_edges);
-  first_.raw().resize(n_faces);
+    if (const FaceId to = map.face[FaceId(i)]; to.valid()) first[to] = moved(first_[FaceId(i)]);
+  half_ = std::move(halves);
+  out_ = std::move(out);
+  first_ = std::move(first);
   free_nodes_.clear();
   free_edges_.clear();
   free_faces_.clear();
-  return map;
 }
 
 const char* Topology::defect() const {

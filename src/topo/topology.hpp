@@ -90,8 +90,8 @@ class Topology {
   NodeId add_node();
   void remove_node(NodeId v);  ///< isolated nodes only
 
-  /// Makes the mesh of `polygons` over `n_nodes` nodes; whatever was there is gone. Faces may meet in a node only; where
-  /// three or more fans do, their order round it need not be that of the plane.
+  /// Makes the mesh of `polygons` over `n_nodes` nodes; whatever was there is gone. Faces may meet in a node only;
+  /// where three or more fans do, their order round it need not be that of the plane.
   void build(std::size_t n_nodes, std::span<const Polygon> polygons);
 
   /// Triangle into three, round `v` (isolated). Slot f stays one of them; returns the two new faces.
@@ -125,6 +125,9 @@ class Topology {
   };
   /// Closes the gaps that deleted elements left, in the order of the ids.
   Renumbering compact();
+  /// Closes the gaps and puts the faces into the given order; edges and nodes in the order in which faces meet them.
+  /// @param order  every live face once.
+  Renumbering reorder(std::span<const FaceId> order);
 
   /// First broken invariant as text, empty when there is none. O(n).
   const char* defect() const;
@@ -137,6 +140,7 @@ class Topology {
   };
   static constexpr HalfId kDeleted{UINT32_MAX - 1};
 
+  void apply(const Renumbering& map, std::size_t n_nodes, std::size_t n_edges, std::size_t n_faces);
   EdgeId add_edge(NodeId a, NodeId b);
   void free_edge(EdgeId e);
   FaceId add_face(HalfId first);

@@ -25,7 +25,7 @@ struct Sector {
 /// one edit can touch.
 constexpr int kBroken = 1000;
 
-/// Cost of a sector with `quads` quads: 0 is ideal; grows with the square of the difference [ALGORITHM section 10].
+/// Cost of a sector with `quads` quads: 0 is ideal; grows with the square of the difference.
 int valence_cost(const Wish& wish, int quads);
 
 /// The sectors of a mesh. The curves do not change during clean-up, so what their angles want is computed once.

@@ -3,6 +3,7 @@
 #include "stages/cleanup/templates.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <tuple>
 
 namespace quadline::cleanup {
@@ -19,7 +20,14 @@ struct Family {
 // All that differ in use, within a start-up of some milliseconds. One quad can only become five, round a smaller one.
 constexpr std::array<Family, 5> kFamilies{{{4, 4, 4}, {6, 4, 3}, {8, 4, 2}, {10, 3, 2}, {12, 2, 2}}};
 
-using Polygons = std::vector<std::vector<std::uint8_t>>;
+constexpr int kMostNodes = TemplateTable::kMaxRim + 4;
+
+// A polygon that is still open.
+struct Ring {
+  int n = 0;
+  std::array<std::uint8_t, kMostNodes> nodes{};
+  void add(int v) { nodes[n++] = static_cast<std::uint8_t>(v); }
+};
 
 std::array<std::uint8_t, TemplateTable::kMaxRim> rim_quads(const Template& t) {
   std::array<std::uint8_t, TemplateTable::kMaxRim> n{};
@@ -37,19 +45,17 @@ class TemplateMaker {
 
   std::vector<Template> make() {
     way_.n_rim = static_cast<std::uint8_t>(n_rim_);
-    std::vector<std::uint8_t> rim;
+    Ring rim;
     for (int i = 0; i < n_rim_; ++i) {
-      rim.push_back(static_cast<std::uint8_t>(i));
+      rim.add(i);
       join(i, (i + 1) % n_rim_, true);
     }
-    Polygons open{rim};
-    fill(open);
+    open_ = {rim};
+    fill();
     return std::move(made_);
   }
 
  private:
-  static constexpr int kMostNodes = TemplateTable::kMaxRim + 4;
-
   void join(int a, int b, bool on) { joined_[a][b] = joined_[b][a] = on; }
   int most_quads(int v) const { return v < n_rim_ ? TemplateTable::kMaxRimQuads : kMostInnerQuads; }
 
@@ -64,56 +70,53 @@ class TemplateMaker {
     made_.push_back(way_);
   }
 
-  void fill(Polygons& open) {
-    if (open.empty()) return finish();
-    const std::vector<std::uint8_t> p = std::move(open.back());
-    open.pop_back();
+  // Fills what is open in all ways, and leaves everything as it found it.
+  void fill() {
+    if (open_.empty()) return finish();
+    const Ring p = open_.back();
+    open_.pop_back();
     // The quad on the side p0 p1 has the corners p0 p1 x y; each of x and y is a node of the polygon or a new one.
-    const int n = static_cast<int>(p.size());
-    for (int i = 2; i <= n; i += 2)                         // x = p[i]; n: new
-      for (int j = i == n ? 3 : i + 1; j <= n + 1; j += 2)  // y = p[j]; n + 1: new
-        choose(open, p, i, j == n + 1 ? n : j);
-    open.push_back(p);
+    for (int i = 2; i <= p.n; i += 2)                           // x = p[i]; n: new
+      for (int j = i == p.n ? 3 : i + 1; j <= p.n + 1; j += 2)  // y = p[j]; n + 1: new
+        choose(p, i, j == p.n + 1 ? p.n : j);
+    open_.push_back(p);
   }
 
-  void choose(Polygons& open, const std::vector<std::uint8_t>& p, int i, int j) {
-    const int n = static_cast<int>(p.size());
+  void choose(const Ring& p, int i, int j) {
+    const int n = p.n;
     const bool new_x = i == n, new_y = j == n;
     if (way_.n_inner + new_x + new_y > family_.most_inner || way_.n_quads == Template::kMaxQuads) return;
     const int fresh = n_rim_ + way_.n_inner;
-    const int x = new_x ? fresh : p[i], y = new_y ? fresh + new_x : p[j];
-    const int a = p[0], b = p[1];
+    const int x = new_x ? fresh : p.nodes[i], y = new_y ? fresh + new_x : p.nodes[j];
+    const int a = p.nodes[0], b = p.nodes[1];
     const bool make_bx = i != 2, make_ya = j != n - 1, make_xy = new_x || new_y || j != i + 1;
     if ((make_bx && joined_[b][x]) || (make_ya && joined_[y][a]) || (make_xy && joined_[x][y])) return;
     for (const int v : {a, b, x, y})
       if (quads_[v] == most_quads(v)) return;
 
-    const std::size_t n_open = open.size();
-    const auto u8 = [](int v) { return static_cast<std::uint8_t>(v); };
+    const std::size_t n_open = open_.size();
+    // The pieces that the quad leaves: p[from .. to], closed by `extra` nodes.
+    const auto leave = [&](int from, int to, std::initializer_list<int> extra) {
+      if (to - from + 1 + static_cast<int>(extra.size()) < 4) return;
+      Ring rest;
+      for (int k = from; k <= to; ++k) rest.add(p.nodes[k == n ? 0 : k]);
+      for (const int v : extra) rest.add(v);
+      open_.push_back(rest);
+    };
     if (new_x && new_y) {
-      std::vector<std::uint8_t> rest{u8(a), u8(y), u8(x)};
-      rest.insert(rest.end(), p.begin() + 1, p.end());
-      open.push_back(std::move(rest));
+      leave(1, n, {y, x});
+    } else if (new_x) {
+      leave(1, j, {x});
+      leave(j, n, {});
+    } else if (new_y) {
+      leave(1, i, {});
+      leave(i, n, {y});
     } else {
-      const auto piece = [&](int from, int to, int extra) {
-        if (to - from + 1 + (extra >= 0) < 4) return;
-        std::vector<std::uint8_t> rest;
-        for (int k = from; k <= to; ++k) rest.push_back(k == n ? p[0] : p[k]);
-        if (extra >= 0) rest.push_back(u8(extra));
-        open.push_back(std::move(rest));
-      };
-      if (new_x) {
-        piece(1, j, x);
-        piece(j, n, -1);
-      } else if (new_y) {
-        piece(1, i, -1);
-        piece(i, n, y);
-      } else {
-        piece(1, i, -1);
-        piece(i, j, -1);
-        piece(j, n, -1);
-      }
+      leave(1, i, {});
+      leave(i, j, {});
+      leave(j, n, {});
     }
+    const auto u8 = [](int v) { return static_cast<std::uint8_t>(v); };
     way_.quads[way_.n_quads++] = {u8(a), u8(b), u8(x), u8(y)};
     way_.n_inner = u8(way_.n_inner + new_x + new_y);
     for (const int v : {a, b, x, y}) ++quads_[v];
@@ -121,8 +124,7 @@ class TemplateMaker {
     if (make_ya) join(y, a, true);
     if (make_xy) join(x, y, true);
 
-    Polygons rest = open;
-    fill(rest);
+    fill();
 
     if (make_bx) join(b, x, false);
     if (make_ya) join(y, a, false);
@@ -130,7 +132,7 @@ class TemplateMaker {
     for (const int v : {a, b, x, y}) --quads_[v];
     way_.n_inner = u8(way_.n_inner - new_x - new_y);
     --way_.n_quads;
-    open.resize(n_open);
+    open_.resize(n_open);
   }
 
   int n_rim_;
@@ -138,23 +140,38 @@ class TemplateMaker {
   Template way_;
   std::array<int, kMostNodes> quads_{};
   std::array<std::array<bool, kMostNodes>, kMostNodes> joined_{};
+  std::vector<Ring> open_;
   std::vector<Template> made_;
 };
 
 TemplateTable::TemplateTable() {
   branches_.push_back({});  // 0 means none
   for (const Family& family : kFamilies) {
-    std::vector<Template> ways = TemplateMaker(family).make();
+    const std::vector<Template> ways = TemplateMaker(family).make();
     root_[family.n_rim] = static_cast<std::uint32_t>(branches_.size());
     branches_.push_back({});
     file(ways);
   }
 }
 
-void TemplateTable::file(std::vector<Template>& ways) {
-  const auto key = [](const Template& t) { return std::make_tuple(rim_quads(t), t.inner_cost, t.n_quads, t.quads); };
-  std::sort(ways.begin(), ways.end(), [&](const Template& a, const Template& b) { return key(a) < key(b); });
+void TemplateTable::file(const std::vector<Template>& ways) {
+  struct Keyed {
+    std::uint64_t rim;  // four bits for each node
+    const Template* way;
+  };
+  std::vector<Keyed> sorted;
   for (const Template& t : ways) {
+    Keyed keyed{0, &t};
+    for (const std::uint8_t n : rim_quads(t)) keyed.rim = keyed.rim << 4 | n;
+    sorted.push_back(keyed);
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const Keyed& a, const Keyed& b) {
+    if (a.rim != b.rim) return a.rim < b.rim;
+    const Template &s = *a.way, &t = *b.way;
+    return std::tie(s.inner_cost, s.n_quads, s.quads) < std::tie(t.inner_cost, t.n_quads, t.quads);
+  });
+  for (const Keyed& keyed : sorted) {
+    const Template& t = *keyed.way;
     const auto rim = rim_quads(t);
     std::uint32_t at = root_[t.n_rim];
     for (int i = 0; i < t.n_rim; ++i) {

@@ -48,7 +48,7 @@ class TemplateTable {
   };
   void descend(std::span<const RimCosts> costs, std::size_t depth, std::uint32_t branch, int cost, int& limit,
                std::size_t most, std::vector<Match>& found) const;
-  void file(std::vector<Template>& ways);
+  void file(const std::vector<Template>& ways);
 
   std::vector<Template> templates_;
   std::vector<Branch> branches_;

@@ -50,7 +50,7 @@ void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triang
   if (triangles == Triangles::Front) march_from_constraints(mesh, size, context);
   subdivide_edges(mesh, size, context);
   mesh.drop_outside();
-  mesh.compact();
+  mesh.sort_in_space();
   if (triangles == Triangles::Delaunay) relax(mesh);
   QUADLINE_DEBUG_CHECK(defect(mesh).empty());
 }

@@ -4,6 +4,7 @@
 
 #include "stages/field_points/insertion.hpp"
 #include "mesh/delaunay.hpp"
+#include "search/hilbert.hpp"
 
 namespace quadline {
 

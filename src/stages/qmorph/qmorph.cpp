@@ -191,7 +191,7 @@ void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines,
                     const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
   Driver(mesh, size, lines).run(observe, context);
-  mesh.compact();
+  mesh.sort_in_space();
 }
 
 }  // namespace quadline

@@ -8,6 +8,7 @@
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
 #include "mesh/recover_edge.hpp"
+#include "search/hilbert.hpp"
 #include "mesh/delaunay.hpp"
 
 namespace quadline {

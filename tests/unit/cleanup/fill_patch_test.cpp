@@ -9,18 +9,16 @@
 namespace quadline::cleanup {
 namespace {
 
-// A regular polygon of unit edges, about, with the given numbers of edges along its sides.
-std::vector<PatchNode> polygon(const std::vector<int>& sides) {
-  std::vector<PatchNode> rim;
+// A round patch of unit edges, about, with the given numbers of edges along its sides.
+std::vector<PatchNode> patch(const std::vector<int>& sides) {
   int n_edges = 0;
   for (const int s : sides) n_edges += s;
-  const auto corner = [&](std::size_t i) {
-    const double a = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sides.size());
-    return n_edges / (2 * std::numbers::pi) * Point{std::cos(a), std::sin(a)};
-  };
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Point a = corner(i), b = corner(i + 1);
-    for (int k = 0; k < sides[i]; ++k) rim.push_back({a + (double(k) / sides[i]) * (b - a), 1, k == 0});
+  std::vector<PatchNode> rim;
+  for (const int s : sides) {
+    for (int k = 0; k < s; ++k) {
+      const double a = 2 * std::numbers::pi * static_cast<double>(rim.size()) / n_edges;
+      rim.push_back({n_edges / (2 * std::numbers::pi) * Point{std::cos(a), std::sin(a)}, 1, k == 0});
+    }
   }
   return rim;
 }
@@ -31,7 +29,7 @@ void expect_sound(const std::vector<PatchNode>& rim, const Filling& filling) {
   std::map<int, int> quads;
   for (const auto& q : filling.quads) {
     for (int k = 0; k < 4; ++k) {
-      EXPECT_EQ(++halves[std::pair<int, int>(q[k], q[(k + 1) % 4])], 1);
+      EXPECT_EQ((++halves[{q[k], q[(k + 1) % 4]}]), 1);
       ++quads[q[k]];
     }
   }
@@ -44,16 +42,17 @@ void expect_sound(const std::vector<PatchNode>& rim, const Filling& filling) {
   }
   int n_irregular = 0;
   for (const auto& [v, n] : quads) {
-    if (v < n_rim)
+    if (v < n_rim) {
       EXPECT_EQ(n, rim[static_cast<std::size_t>(v)].is_corner ? 1 : 2) << v;
-    else
+    } else {
       n_irregular += n != 4;
+    }
   }
   EXPECT_LE(n_irregular, filling.n_irregular);
 }
 
 int least_irregular(const std::vector<int>& sides) {
-  const auto rim = polygon(sides);
+  const auto rim = patch(sides);
   const auto fillings = fill_patch(rim, 3, 2);
   for (const Filling& filling : fillings) expect_sound(rim, filling);
   return fillings.empty() ? -1 : fillings[0].n_irregular;
@@ -87,7 +86,7 @@ TEST(FillPatch, CutsTwoCornersInTwoTriangles) { EXPECT_EQ(least_irregular({8, 8}
 TEST(FillPatch, GivesUpWhatDoesNotFit) {
   EXPECT_EQ(least_irregular({7, 1, 2}), -1);  // no triangle
   EXPECT_EQ(least_irregular({6}), -1);        // one corner
-  EXPECT_TRUE(fill_patch(polygon({4, 4, 5, 5}), 3, 1).empty());
+  EXPECT_TRUE(fill_patch(patch({4, 4, 5, 5}), 3, 1).empty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "quadline/errors.hpp"
 #include "mesh/delaunay.hpp"
+#include "search/hilbert.hpp"
 #include "tests/unit/triangulate/segments.hpp"
 
 namespace quadline {
