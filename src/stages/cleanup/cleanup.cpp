@@ -18,17 +18,18 @@ namespace quadline {
 namespace cleanup {
 namespace {
 
+constexpr int kRounds = 2;
 constexpr int kFirstSweeps = 3;  // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 5;
 constexpr std::size_t kTries = 3;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 
 // What an edit may lose.
-constexpr double kFloor = 0.25;  // the least scaled Jacobian may fall by kMayLose, but not below this
-constexpr double kMayLose = 0.1;
-constexpr double kBetaMayLose = 0.02;   // of the mean beta of the cavity and the quads round it
-constexpr double kBetaHopeless = 0.06;  // the same after the first sweep of smoothing
-constexpr double kSizeSpread = 0.1;     // see PatchQuality; never refused below it
+constexpr double kFloor = 0.4;  // the least scaled Jacobian may fall by kMayLose, but not below this
+constexpr double kMayLose = 0.2;
+constexpr double kBetaMayLose = 0.12;  // of the mean beta of the cavity and the quads round it
+constexpr double kBetaHopeless = 0.2;  // the same after the first sweep of smoothing
+constexpr double kSizeSpread = 0.1;    // see PatchQuality; never refused below it
 
 // What it is worth beside a valence, to choose among edits.
 constexpr double kJacobianWorth = 20;  // of the least scaled Jacobian, where something must be mended
@@ -41,6 +42,7 @@ class CleanUp {
   void run(Context& context);
 
  private:
+  void work_off(Context& context, int round);
   void smooth_all();
   bool is_broken(FaceId f) const { return scaled_jacobian(mesh_.quad_points(f)) < kFlatQuad; }
   int cost(NodeId v) const;
@@ -78,6 +80,7 @@ class CleanUp {
   std::vector<TemplateTable::RimCosts> rim_costs_;
   std::vector<TemplateTable::Match> matches_;
   std::vector<NodeId> nodes_;
+  std::size_t n_edits_ = 0;
 };
 
 CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field)
@@ -89,13 +92,25 @@ CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field)
 }
 
 void CleanUp::run(Context& context) {
-  for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
-  for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
-    if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
+  for (int round = 0; round < kRounds; ++round) {
+    for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
+    for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
+      if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
+    n_edits_ = 0;
+    work_off(context, round);
+    if (n_edits_ == 0) break;
+  }
+  mesh_.compact();
+}
+
+void CleanUp::work_off(Context& context, int round) {
   const double n_start = std::max(1.0, static_cast<double>(work_.count()));
   WorkList::Entry entry;
   for (std::size_t n = 0; work_.pop(entry); ++n) {
-    if (n % 256 == 0) context.progress("clean-up", 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start));
+    if (n % 256 == 0) {
+      const double done = 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start);
+      context.progress("clean-up", (round + done) / kRounds);
+    }
     const NodeId v = entry.node;
     if (!mesh_.topo().is_live(v) || cost(v) == 0) continue;
     if (entry.phase == WorkList::Patch) {
@@ -104,7 +119,6 @@ void CleanUp::run(Context& context) {
       work_.push(v, WorkList::Patch, entry.cost);
     }
   }
-  mesh_.compact();
 }
 
 void CleanUp::smooth_all() {
@@ -226,6 +240,7 @@ bool CleanUp::carry_out_best() {
 }
 
 void CleanUp::commit() {
+  ++n_edits_;
   trial_.commit(mesh_, size_, nodes_);
   for (const NodeId v : nodes_) {
     push(v);

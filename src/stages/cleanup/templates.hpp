@@ -21,7 +21,7 @@ struct Template {
 /// Source: the cavities of [Reberol2021]; we differ: made at start in milliseconds instead of read from a file.
 class TemplateTable {
  public:
-  static constexpr int kMaxRim = 12;
+  static constexpr int kMaxRim = 10;
   static constexpr int kMaxRimQuads = 4;
   /// Cost of giving a rim node 1 .. kMaxRimQuads quads (index 0 is not used).
   using RimCosts = std::array<int, kMaxRimQuads + 1>;

@@ -7,9 +7,9 @@
 
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
+#include "mesh/delaunay.hpp"
 #include "mesh/recover_edge.hpp"
 #include "search/hilbert.hpp"
-#include "mesh/delaunay.hpp"
 
 namespace quadline {
 

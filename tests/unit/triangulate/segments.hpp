@@ -13,6 +13,7 @@
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 #include "stages/triangulate/triangulate.hpp"
+#include "tests/unit/geom/point_inputs.hpp"
 
 namespace quadline::test {
 
@@ -111,22 +112,5 @@ inline std::set<Triangle> triangles(const WorkMesh& mesh) {
   }
   return all;
 }
-
-/// Numbers that are the same everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
-  std::uint64_t bits() {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return state_;
-  }
-  std::size_t below(std::size_t n) { return bits() % n; }
-  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_;
-};
 
 }  // namespace quadline::test

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "quadline/errors.hpp"
 #include "mesh/delaunay.hpp"
+#include "quadline/errors.hpp"
 #include "search/hilbert.hpp"
 #include "tests/unit/triangulate/segments.hpp"
 

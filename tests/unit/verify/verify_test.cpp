@@ -110,13 +110,13 @@ TEST_F(Verify, Crack) {
 }
 
 TEST_F(Verify, MissingQuad) {
-  mesh_.quads.erase(mesh_.quads.begin() + 8);
+  mesh_.quads.erase(mesh_.quads.begin() + 19);
   mesh_.quad_region.pop_back();
   EXPECT_EQ(reason(), "an edge inside the domain has only one quad");
 }
 
 TEST_F(Verify, QuadTwice) {
-  mesh_.quads.push_back(mesh_.quads[8]);
+  mesh_.quads.push_back(mesh_.quads[19]);
   mesh_.quad_region.push_back(0);
   EXPECT_EQ(reason(), "quads overlap at an edge");
 }
