@@ -19,6 +19,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context) {
   context.progress("sizing", 0);
   double largest = 0, least = kNone;
+  if (domain.cells.empty()) largest = least = domain.size;
   for (const Domain::Cell& cell : domain.cells) {
     largest = std::max(largest, cell.size);
     least = std::min(least, cell.size);

@@ -2,8 +2,8 @@
 
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
-#include "stages/field_points/insertion.hpp"
 #include "mesh/delaunay.hpp"
+#include "stages/field_points/insertion.hpp"
 
 namespace quadline {
 
@@ -47,11 +47,12 @@ void relax(WorkMesh& mesh) {
 }  // namespace
 
 void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, Context& context) {
-  if (triangles == Triangles::Front) march_from_constraints(mesh, size, context);
-  subdivide_edges(mesh, size, context);
+  const bool front = triangles == Triangles::Front;
+  if (front) march_from_constraints(mesh, size, context);
+  subdivide_edges(mesh, size, front ? kMarchShare : 0, context);
   mesh.drop_outside();
   mesh.sort_in_space();
-  if (triangles == Triangles::Delaunay) relax(mesh);
+  if (!front) relax(mesh);  // it would bend the rows of the march
   QUADLINE_DEBUG_CHECK(defect(mesh).empty());
 }
 

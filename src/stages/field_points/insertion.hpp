@@ -9,6 +9,8 @@ namespace quadline {
 /// A frame of two orthogonal directions, by the first; a unit vector.
 using Frame = Point;
 
+constexpr double kMarchShare = 0.6;  ///< of the stage's progress, where rows are marched first
+
 /// How near a new point may come to what is there, in parts of the local size.
 struct Spacing {
   double to_nodes;        ///< in the norm of the frame (largest of the two components), or Euclid's without a frame
@@ -37,7 +39,8 @@ class Insertion {
 };
 
 /// Fills the cells by subdividing edges after the local size until none is too long [BorouchakiGeorge1997].
-void subdivide_edges(WorkMesh& mesh, const SizeField& size, Context& context);
+/// @param done  the part of the stage that is done before, 0..1, for the progress.
+void subdivide_edges(WorkMesh& mesh, const SizeField& size, double done, Context& context);
 
 /// Fills the cells in rows from the constraints inwards, at right angles to them [Remacle2013].
 void march_from_constraints(WorkMesh& mesh, const SizeField& size, Context& context);

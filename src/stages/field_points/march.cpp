@@ -52,11 +52,12 @@ void march_from_constraints(WorkMesh& mesh, const SizeField& size, Context& cont
     seeds_of(mesh, NodeId(i), seeds);
     for (const Seed& s : seeds) queue.push(s);
   }
-  std::size_t steps = 0;
+  double steps = 0;
   while (!queue.empty()) {
     const Seed s = queue.front();
     queue.pop();
-    if (++steps % 4096 == 0) context.progress("field points", 0.5);
+    if (static_cast<std::size_t>(++steps) % 4096 == 0)
+      context.progress("field points", kMarchShare * steps / (steps + queue.size()));
     const Point from = mesh.point(s.node);
     const auto propose = [&](Point d, double reach) {
       const double h = size.at(from + (0.5 * reach * size.at(from)) * d);

@@ -1,10 +1,13 @@
 // Points on edges that are too long in the size metric, filtered and inserted, until no edge is too long
-// [BorouchakiGeorge1997]. We differ: candidates are taken in Hilbert order and filtered by the triangulation itself.
+// [BorouchakiGeorge1997]. We differ: the size is looked up along the edge instead of interpolated between its ends, so
+// that an edge from one small feature to another gets no more points than the field between them asks for; candidates
+// are taken in Hilbert order and filtered by the triangulation itself.
+#include <algorithm>
 #include <cmath>
 
-#include "stages/field_points/insertion.hpp"
 #include "mesh/delaunay.hpp"
 #include "search/hilbert.hpp"
+#include "stages/field_points/insertion.hpp"
 
 namespace quadline {
 
@@ -14,25 +17,57 @@ constexpr double kTooLong = 1.42;  // length in the size metric; the diagonal of
 constexpr Spacing kSpacing{0.75, 0.5, false};
 constexpr int kMostRounds = 64;  // each round at least halves the longest edge: never reached
 
-// Points at equal metric distance along the edge a-b where the size runs linearly from ha to hb.
-void points_along(Point a, Point b, double ha, double hb, std::vector<Point>& points) {
-  const double d = distance(a, b), r = hb / ha;
-  const bool even = std::fabs(r - 1) < 1e-3;
-  const double length = even ? d / ha : d * std::log(r) / (hb - ha);
-  if (length <= kTooLong) return;
-  const int n = static_cast<int>(std::lround(length));
-  for (int i = 1; i < n; ++i) {
-    const double part = static_cast<double>(i) / n;
-    points.push_back(a + (even ? part : (std::pow(r, part) - 1) / (r - 1)) * (b - a));
-  }
-  if (n < 2) points.push_back(midpoint(a, b));
+// Length in the size metric of an edge of length d where the size runs linearly from ha to hb.
+double metric_length(double d, double ha, double hb) {
+  const double r = hb / ha;
+  return std::fabs(r - 1) < 1e-3 ? d / ha : d * std::log(r) / (hb - ha);
 }
+
+// Places points at equal metric distance along edges.
+class Subdivision {
+ public:
+  explicit Subdivision(const SizeField& size) : size_(size) {}
+
+  void add_points(Point a, Point b, double ha, double hb, std::vector<Point>& points) {
+    const double d = distance(a, b);
+    if (metric_length(d, ha, hb) <= kTooLong) return;
+    const double length = walk(a, (1 / d) * (b - a), d, ha);
+    const int n = std::max(2, static_cast<int>(std::lround(length)));
+    for (int i = 1; i < n; ++i) {
+      const double wanted = length * i / n;
+      const std::size_t k = std::min(static_cast<std::size_t>(wanted), marks_.size() - 2);
+      const double part =
+          (wanted - static_cast<double>(k)) / (k + 2 == marks_.size() ? length - static_cast<double>(k) : 1);
+      points.push_back(a + ((marks_[k] + part * (marks_[k + 1] - marks_[k])) / d) * (b - a));
+    }
+  }
+
+ private:
+  // Marks the edge at metric lengths 0, 1, 2, ... and at its end; returns its metric length.
+  double walk(Point a, Point direction, double d, double ha) {
+    marks_.assign(1, 0);
+    double at = 0, h = ha;
+    for (;;) {
+      h = size_.at(a + std::fmin(d, at + 0.5 * h) * direction);
+      if (at + h >= d) break;
+      at += h;
+      marks_.push_back(at);
+    }
+    const double length = static_cast<double>(marks_.size() - 1) + (d - at) / h;
+    marks_.push_back(d);
+    return length;
+  }
+
+  const SizeField& size_;
+  std::vector<double> marks_;
+};
 
 }  // namespace
 
-void subdivide_edges(WorkMesh& mesh, const SizeField& size, Context& context) {
+void subdivide_edges(WorkMesh& mesh, const SizeField& size, double done, Context& context) {
   const Topology& topo = mesh.topo();
   Insertion insertion(mesh, size);
+  Subdivision subdivision(size);
   IdVector<NodeId, double> h;
   std::vector<Point> candidates;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -43,7 +78,7 @@ void subdivide_edges(WorkMesh& mesh, const SizeField& size, Context& context) {
       const EdgeId e(i);
       if (!topo.is_live(e) || mesh.is_constraint(e) || mesh.is_outside(half_of(e))) continue;
       const NodeId a = topo.tail(half_of(e)), b = topo.head(half_of(e));
-      points_along(mesh.point(a), mesh.point(b), h[a], h[b], candidates);
+      subdivision.add_points(mesh.point(a), mesh.point(b), h[a], h[b], candidates);
       if (!near.valid()) near = topo.face(half_of(e));
     }
     std::size_t inserted = 0, seen = 0;
@@ -54,7 +89,7 @@ void subdivide_edges(WorkMesh& mesh, const SizeField& size, Context& context) {
         near = topo.face(topo.out(v));
         ++inserted;
       }
-      if (++seen % 4096 == 0) context.progress("field points", 0.1 * std::fmin(round, 9));
+      if (++seen % 4096 == 0) context.progress("field points", done + (1 - done) * 0.1 * std::min(round, 9));
     }
     if (inserted == 0) return;
   }

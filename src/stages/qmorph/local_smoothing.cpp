@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "geom/predicates.hpp"
-#include "stages/qmorph/morph.hpp"
 #include "mesh/delaunay.hpp"
+#include "stages/qmorph/morph.hpp"
 
 namespace quadline {
 
