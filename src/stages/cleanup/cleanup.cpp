@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kRounds = 2;
 constexpr int kFirstSweeps = 3;  // of smoothing, before anything is judged
-constexpr int kTrialSweeps = 5;
+constexpr int kTrialSweeps = 7;
 constexpr std::size_t kTries = 3;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 

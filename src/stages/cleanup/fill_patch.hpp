@@ -20,7 +20,6 @@ struct PatchNode {
 struct Filling {
   int n_inner = 0;      ///< new nodes: after those of the rim
   int n_irregular = 0;  ///< inner nodes of three or five quads
-  double strain = 0;    ///< how far it stretches edges, about; 0 is best
   std::vector<std::array<std::uint16_t, 4>> quads;
 };
 
@@ -30,7 +29,7 @@ struct Filling {
 ///
 /// @param most            at most so many fillings, the least irregular and least strained first.
 /// @param most_irregular  inner nodes of three or five quads, at most so many.
-/// Cost O(n^2 log n) for n rim nodes. Source: [Bunin2006, Takayama2014].
+/// Cost O(n^2 L) for n rim nodes and cuts of up to L edges; n is small. Source: [Bunin2006, Takayama2014].
 std::vector<Filling> fill_patch(std::span<const PatchNode> rim, std::size_t most, int most_irregular);
 
 }  // namespace quadline::cleanup

@@ -11,7 +11,7 @@ namespace quadline::cleanup {
 class PatchGrower {
  public:
   PatchGrower(const WorkMesh& mesh, const Sectors& sectors, const IdVector<NodeId, double>& size)
-      : mesh_(mesh), sectors_(sectors), size_(size), finder_(mesh, sectors) {}
+      : mesh_(mesh), size_(size), finder_(mesh, sectors) {}
 
   /// The smallest patch round the node; false: there is none.
   bool start(NodeId v);
@@ -33,7 +33,6 @@ class PatchGrower {
   void describe_rim();
 
   const WorkMesh& mesh_;
-  const Sectors& sectors_;
   const IdVector<NodeId, double>& size_;
   CavityFinder finder_;
   Point center_;

@@ -48,7 +48,7 @@ double energy(Point p, std::span<const StarQuad> star, Chi chi) {
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const double a = chi.chi(c.own.area()), b = chi.chi(c.next.area()), d = chi.chi(c.previous.area());
-    if (!(a > 0 && b > 0 && d > 0)) return kInfinity;
+    if (a <= 0 || b <= 0 || d <= 0) return kInfinity;
     sum += c.own.squares() / a + c.next.squares() / b + c.previous.squares() / d;
   }
   return sum;

@@ -18,7 +18,7 @@ struct Family {
   int most_irregular;  // inner nodes of three or five quads
 };
 // All that differ in use, within a start-up of some milliseconds. One quad can only become five, round a smaller one.
-constexpr std::array<Family, 4> kFamilies{{{4, 4, 4}, {6, 4, 3}, {8, 4, 2}, {10, 3, 2}}};
+constexpr std::array<Family, 4> kFamilies{{{4, 4, 4}, {6, 4, 3}, {8, 4, 2}, {10, 2, 2}}};
 
 constexpr int kMostNodes = TemplateTable::kMaxRim + 4;
 

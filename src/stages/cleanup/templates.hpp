@@ -15,8 +15,8 @@ struct Template {
   std::array<std::array<std::uint8_t, 4>, kMaxQuads> quads{};
 };
 
-/// All quadrangulations of small disks with inner nodes of three to five quads: up to six quads' rim with the most
-/// inner nodes, made by recursion, found by what they do to the rim.
+/// The quadrangulations of small disks with few inner nodes, of three to five quads each; made by recursion, found by
+/// what they do to the rim.
 ///
 /// Source: the cavities of [Reberol2021]; we differ: made at start in milliseconds instead of read from a file.
 class TemplateTable {

@@ -1,5 +1,8 @@
 #include "stages/smooth/beta_energy.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace quadline::smoothing {
 
 namespace {
@@ -22,7 +25,7 @@ struct Differences {
     p3 = pd * pd * scale;
     q3 = bc * bc * scale;
   }
-  double sum() const { return std::fmax(p1 + q1 + p2 + q2 + p3 + q3 - 6, 0.0); }
+  double sum() const { return std::max(p1 + q1 + p2 + q2 + p3 + q3 - 6, 0.0); }
 };
 
 void add_beta(const Star::Quad& q, double epsilon2, Quadratic& sum) {
@@ -59,7 +62,7 @@ void add_size(Point edge, Quadratic& sum) {
   const double n = norm2(edge), inverse = 1 / n, weight = kSize * (1 - inverse * inverse);
   sum.value += kSize * (n + inverse);
   sum.gradient += (-2 * weight) * edge;
-  sum.add_identity(2 * std::fmax(weight, 0.0));
+  sum.add_identity(2 * std::max(weight, 0.0));
   sum.add_square(8 * kSize * inverse * inverse * inverse, edge);
 }
 

@@ -21,7 +21,7 @@ class BetaEnergy {
   bool takes(double sine2) const { return sine2 > 0; }
 
   Quadratic derivatives(const Star& star) const;
-  double value(const Star& star, Point p, double floor2) const;
+  double value(const Star& star, Point at, double floor2) const;
 
  private:
   double epsilon2_;

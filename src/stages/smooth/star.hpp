@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -64,7 +65,7 @@ class Star {
     double least = 1;
     for (const Quad& q : quads_) {
       const Point pb = q.b - p, pd = q.d - p;
-      for (const Corner& c : {q.corner_p(pb, pd), q.corner_b(pb), q.corner_d(pd)}) least = std::fmin(least, c.sine2());
+      for (const Corner& c : {q.corner_p(pb, pd), q.corner_b(pb), q.corner_d(pd)}) least = std::min(least, c.sine2());
     }
     return least;
   }

@@ -182,7 +182,8 @@ TEST(CleanUp, MendsSplitTriangles) {
     EXPECT_GT(c.before.irregular_share, 0.4);
     EXPECT_LT(c.after.irregular_share, 0.06);
     EXPECT_GT(c.after.least_jacobian, c.before.least_jacobian);
-    EXPECT_NEAR(double(c.after.n_quads), double(c.before.n_quads), 0.25 * double(c.before.n_quads));
+    EXPECT_GT(c.after.n_quads, 576u);  // 24 x 24, as the boundary has it; the sizes inside ask for 860
+    EXPECT_LT(c.after.n_quads, 900u);
   }
 }
 

@@ -177,7 +177,9 @@ Figures figures(const WorkMesh& mesh) {
     mesh.for_each_sector(v, [&](HalfId first, HalfId last, double angle) {
       int n = 1;
       for (HalfId h = topo.rotate_ccw(first); h != last; h = topo.rotate_ccw(h)) ++n;
-      if (n != std::max(1, static_cast<int>(std::lround(angle * 2 / std::numbers::pi)))) irregular = true;
+      const double quarters = angle * 2 / std::numbers::pi, tie = 2.0 / 90;  // within two degrees of a tie both will do
+      const long least = std::max(1L, std::lround(quarters - tie)), most = std::max(1L, std::lround(quarters + tie));
+      if (n < least || n > most) irregular = true;
     });
     f.n_irregular += irregular;
   }

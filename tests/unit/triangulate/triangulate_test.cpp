@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/delaunay.hpp"
 #include "quadline/errors.hpp"
-#include "search/hilbert.hpp"
 #include "tests/unit/triangulate/segments.hpp"
 
 namespace quadline {
@@ -203,48 +201,6 @@ TEST(Triangulate, AGridIsAllTies) {
   expect_sound(s.mesh);
   EXPECT_GT(s.mesh.segments.size(), 100u);  // the rim goes through its nodes
   EXPECT_NEAR(areas(s.mesh)[0], 9, 1e-12);
-}
-
-TEST(Locate, FindsTheTriangleFromEverywhere) {
-  Sketch s = disk(1);
-  s.triangulate();
-  const Topology& topo = s.mesh.topo();
-  Random r(3);
-  FaceId f = topo.face(topo.out(NodeId(0)));
-  for (int i = 0; i < 2000; ++i) {
-    const Point p{6 * r.unit() - 3, 6 * r.unit() - 3};
-    f = locate(s.mesh, p, f);
-    topo.for_each_half(
-        f, [&](HalfId h) { EXPECT_GE(orientation(s.mesh.point(topo.tail(h)), s.mesh.point(topo.head(h)), p), 0); });
-  }
-}
-
-TEST(InsertNode, RefusesPlacesThatAreTaken) {
-  Sketch s;
-  s.loop(rectangle(0, 0, 1, 1), 0, -1);
-  s.triangulate();
-  const FaceId f = s.mesh.topo().face(s.mesh.topo().find(NodeId(0), NodeId(1)));
-  const NodeId on_node = s.mesh.add_node({1, 0}), on_rim = s.mesh.add_node({0.5, 0}),
-               inside = s.mesh.add_node({0.5, 0.5});
-  EXPECT_FALSE(insert_node(s.mesh, on_node, f));
-  EXPECT_FALSE(insert_node(s.mesh, on_rim, f));
-  EXPECT_TRUE(insert_node(s.mesh, inside, f));  // on the diagonal
-  EXPECT_EQ(s.mesh.topo().edge_valence(inside), 4);
-  EXPECT_TRUE(s.mesh.cell(s.mesh.topo().face(s.mesh.topo().out(inside))).valid());
-}
-
-TEST(HilbertOrder, GoesRoundByShortSteps) {
-  std::vector<Point> points;
-  for (int j = 0; j < 32; ++j)
-    for (int i = 0; i < 32; ++i) points.push_back({i + 0.0, j + 0.0});
-  const auto order = hilbert_order(points);
-  ASSERT_EQ(order.size(), points.size());
-  double way = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) way += distance(points[order[i - 1]], points[order[i]]);
-  EXPECT_LT(way, 1.1 * static_cast<double>(points.size()));
-  auto sorted = order;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
 
 }  // namespace
