@@ -80,7 +80,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_choice<LineFronts>(*mesh, "--lines", "where the front on a line constraint starts; default two-sided",
                          arguments.options.lines, {"one-sided", LineFronts::OneSided},
                          {"two-sided", LineFronts::TwoSided});
-  add_choice<Triangles>(*mesh, "--triangles", "who makes the triangles that are merged; default delaunay",
+  add_choice<Triangles>(*mesh, "--triangles", "who makes the triangles that are merged; default front",
                         arguments.options.triangles, {"delaunay", Triangles::Delaunay}, {"front", Triangles::Front});
   const auto set_threads = [&arguments](double value) {
     if (!(value >= 1 && value <= 1024) || value != std::floor(value)) return false;

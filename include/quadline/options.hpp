@@ -22,7 +22,7 @@ struct Options {
   double edges_per_circle = 16;  ///< at least so many edges on a full turn of a curve, >= 4
   double growth = 1.3;           ///< largest ratio of the sizes of neighbouring edges, > 1
   LineFronts lines = LineFronts::TwoSided;
-  Triangles triangles = Triangles::Delaunay;
+  Triangles triangles = Triangles::Front;
 };
 
 }  // namespace quadline

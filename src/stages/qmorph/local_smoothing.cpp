@@ -1,6 +1,7 @@
-// Local smoothing behind and ahead of the front [Owen1999 section 3.5, Blacker1991]. We differ: one target per front
-// node (isoparametric direction, length between the row's own and the local size), every move guarded, and the
-// triangles ahead are kept Delaunay, which keeps their fans round.
+// Local smoothing of the front [Owen1999 section 3.5, Blacker1991]. We differ: one target per front node (isoparametric
+// direction, length between the row's own and the local size), every move guarded; nodes ahead of the front stay where
+// they are, since they may stand in rows already, and the triangles there are kept Delaunay, which keeps their fans
+// round.
 #include <algorithm>
 
 #include "geom/predicates.hpp"
@@ -41,9 +42,9 @@ Point Morph::front_target(NodeId v) const {
     ++n_quads;
     if (!mesh_.is_triangle(twin(h))) behind = h;
   });
-  if (n_quads == 0 || n_quads > 2 || !triangles) return (1.0 / n_edges) * mean;
+  if (n_quads == 0 || !triangles) return (1.0 / n_edges) * mean;
   const Point p = (1.0 / n_quads) * iso;
-  if (n_quads == 1 || !behind.valid()) return p;
+  if (n_quads != 2 || !behind.valid()) return p;
   const Point j = mesh_.point(topo.head(behind));
   const double reach = distance(j, p);
   if (reach == 0) return here;
@@ -88,7 +89,6 @@ void Morph::smooth_around(const std::vector<NodeId>& nodes) {
         ahead.push_back(w);
     });
   }
-  for (const NodeId v : ahead) try_move(v, front_target(v));
   const auto suspect = [&](HalfId h) {
     if (!mesh_.is_triangle(h)) return;
     suspects_.push_back(edge_of(h));
