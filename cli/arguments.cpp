@@ -65,8 +65,10 @@ void add_arrangement_options(CLI::App& app, Options& options) {
     options.edges_per_circle = value;
     return value >= 4;
   };
-  add_number(app, "--edges-per-circle", "at least so many edges on a full turn of a curve; default 16",
-             "a number of 4 or more", set_per_circle);
+  add_number(
+      app, "--edges-per-circle",
+      "at least so many edges on a full turn of a curve; on circles small beside the sizes down to half; default 16",
+      "a number of 4 or more", set_per_circle);
 }
 
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {

@@ -38,6 +38,9 @@ class Continuations {
 }  // namespace
 
 double circle_edges(double radius, double size_around, double edges_per_circle) {
+  constexpr double kUsual = 16;
+  // Who asks for more gets more on every circle, in proportion.
+  if (edges_per_circle > kUsual) return circle_edges(radius, size_around, kUsual) * edges_per_circle / kUsual;
   const double natural = 2 * std::numbers::pi * radius / size_around;
   if (natural >= edges_per_circle) return edges_per_circle;
   const double least = std::min(kLeastEdgesPerCircle, edges_per_circle), small = 0.25 * edges_per_circle;

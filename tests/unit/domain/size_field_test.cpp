@@ -91,6 +91,9 @@ TEST(SizeField, CirclesGetFewerEdgesAsTheyGetSmallAgainstTheSize) {
   EXPECT_EQ(circle_edges(0.001, 1, 16), 8);
   EXPECT_EQ(circle_edges(1, 1, 5), 5);
   EXPECT_EQ(circle_edges(0.001, 1, 5), 5);
+  EXPECT_EQ(circle_edges(2, 1, 64), 64);
+  EXPECT_EQ(circle_edges(1.5, 1, 32), 24);
+  EXPECT_EQ(circle_edges(0.001, 1, 64), 32);
 }
 
 TEST(SizeField, HoleDrawsTheSizeDownToItsEdges) {
