@@ -32,10 +32,11 @@ bool centre_node(Stars& stars, std::size_t i, Star& star, double min_move) {
 
 }  // namespace
 
-void laplacian(Stars& stars, const SmoothOptions& options) {
+void laplacian(Stars& stars, const SmoothOptions& options, const Progress& progress) {
   Star star;
   stars.wake_all();
   for (int pass = 0; pass < options.passes; ++pass) {
+    progress.report(static_cast<double>(pass) / options.passes);
     bool moved = false;
     for (const std::uint32_t i : stars.take_awake()) {
       if (!centre_node(stars, i, star, options.min_move)) continue;

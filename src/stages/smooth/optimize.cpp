@@ -14,13 +14,14 @@ constexpr int kWorstPower = 8;
 
 }  // namespace
 
-void optimize(Stars& stars, const SmoothOptions& options) {
+void optimize(Stars& stars, const SmoothOptions& options, const Progress& progress) {
   stars.wake_all();
   relax(stars, ShapeEnergy<1>(),
-        {.passes = options.passes, .min_move = options.min_move, .over = kOver, .floor2 = kFloor2});
+        {.passes = options.passes, .min_move = options.min_move, .over = kOver, .floor2 = kFloor2},
+        progress.part(0, 0.8));
   stars.wake_all();
   relax(stars, ShapeEnergy<kWorstPower>(kPoor2),
-        {.passes = options.passes, .min_move = options.min_move, .floor2 = kFloor2});
+        {.passes = options.passes, .min_move = options.min_move, .floor2 = kFloor2}, progress.part(0.8, 1));
 }
 
 }  // namespace quadline::smoothing

@@ -1,5 +1,7 @@
 // Beta is not smooth where a quad is a rectangle, and there its geometric mean wants most quads to be: like a sum of
 // absolute values, it rather has some far off than all a little. So a smooth stand-in, with a rounding that shrinks.
+#include <iterator>
+
 #include "stages/smooth/beta_energy.hpp"
 #include "stages/smooth/relax.hpp"
 #include "stages/smooth/steps.hpp"
@@ -13,11 +15,15 @@ constexpr double kOver = 1.8;
 
 }  // namespace
 
-void polish(Stars& stars, const SmoothOptions& options) {
+void polish(Stars& stars, const SmoothOptions& options, const Progress& progress) {
+  double done = 0;
   for (const double rounding : kRoundings) {
+    const double next = done + 1.0 / std::size(kRoundings);
     stars.wake_all();
     relax(stars, BetaEnergy(rounding),
-          {.passes = options.passes, .min_move = options.min_move, .over = kOver, .floor2 = kFloor2});
+          {.passes = options.passes, .min_move = options.min_move, .over = kOver, .floor2 = kFloor2},
+          progress.part(done, next));
+    done = next;
   }
 }
 

@@ -8,14 +8,13 @@ void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const S
             Context& context) {
   if (options.passes <= 0) return;
   smoothing::Stars stars(mesh, domain, size);
-  smoothing::laplacian(stars, options);
-  context.progress("smooth", 0.15);
-  smoothing::untangle(stars, options);
-  context.progress("smooth", 0.2);
-  smoothing::optimize(stars, options);
-  context.progress("smooth", 0.4);
-  smoothing::polish(stars, options);
-  context.progress("smooth", 1);
+  const smoothing::Progress progress(context);
+  smoothing::laplacian(stars, options, progress.part(0, 0.1));
+  smoothing::untangle(stars, options, progress.part(0.1, 0.12));
+  smoothing::optimize(stars, options, progress.part(0.12, 0.3));
+  smoothing::lift(stars, options, progress.part(0.3, 0.32));
+  smoothing::polish(stars, options, progress.part(0.32, 1));
+  progress.report(1);
   stars.store(mesh);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stages/smooth/progress.hpp"
 #include "stages/smooth/smooth.hpp"
 #include "stages/smooth/stars.hpp"
 
@@ -11,15 +12,18 @@ constexpr double kFloor2 = 0.8 * 0.8;
 // The steps of smoothing, in their order.
 
 /// [Lee2003 section 6]: a node goes to the centroid of its neighbours if that does not harm its worst element.
-void laplacian(Stars& stars, const SmoothOptions& options);
+void laplacian(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Makes corners convex that are not, by a barrier that lets them pass through zero [Garanzha2021].
-void untangle(Stars& stars, const SmoothOptions& options);
+void untangle(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Minimises the inverse mean ratio of the corners [Knupp2000], then a high power of it where a corner is poor.
-void optimize(Stars& stars, const SmoothOptions& options);
+void optimize(Stars& stars, const SmoothOptions& options, const Progress& progress);
+
+/// Raises the least sine round nodes where it is below the floor.
+void lift(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Raises the geometric mean of beta.
-void polish(Stars& stars, const SmoothOptions& options);
+void polish(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 }  // namespace quadline::smoothing

@@ -16,7 +16,8 @@ constexpr double kSoft = 1, kHard = 0.01, kHardening = 0.5;  // epsilon of the b
 
 class Untangler {
  public:
-  Untangler(Stars& stars, double min_move) : stars_(stars), min_move_(min_move) {}
+  Untangler(Stars& stars, double min_move, const Progress& progress)
+      : stars_(stars), min_move_(min_move), progress_(progress) {}
 
   void run() {
     for (std::size_t i = 0; i < stars_.count(); ++i)
@@ -53,11 +54,13 @@ class Untangler {
 
   // Returns how many stars are tangled after it.
   std::size_t round_of(int round) {
+    const double done = static_cast<double>(round) / kRounds;
+    const Progress part = progress_.part(done, done);  // most rounds are not needed
     for (double epsilon = kSoft; epsilon > kHard; epsilon *= kHardening) {
       if (wake_tangled() == 0) return 0;
       for (int ring = 0; ring < round * kRingsPerRound; ++ring) grow_awake();
       const double below = round == 0 ? kTangled2 : HUGE_VAL;
-      relax(stars_, BarrierEnergy(epsilon, below), {.passes = kPasses, .min_move = min_move_});
+      relax(stars_, BarrierEnergy(epsilon, below), {.passes = kPasses, .min_move = min_move_}, part);
       stars_.take_awake();
     }
     const std::size_t n = wake_tangled();
@@ -88,12 +91,15 @@ class Untangler {
 
   Stars& stars_;
   double min_move_;
+  const Progress& progress_;
   Star star_;
   std::vector<std::uint32_t> near_;  // stars that are or were tangled, and those round them
 };
 
 }  // namespace
 
-void untangle(Stars& stars, const SmoothOptions& options) { Untangler(stars, options.min_move).run(); }
+void untangle(Stars& stars, const SmoothOptions& options, const Progress& progress) {
+  Untangler(stars, options.min_move, progress).run();
+}
 
 }  // namespace quadline::smoothing
