@@ -140,7 +140,7 @@ class RayCaster {
     bool is_clear = true;  ///< false: too near to an end of a piece to be sure
   };
   /// @param skip  the component that the ray starts on, if any.
-  Hit cast(Point from, unsigned direction, std::uint32_t skip = UINT32_MAX) const;
+  Hit cast(Point from, unsigned k, std::uint32_t skip = UINT32_MAX) const;
 
   static Point direction(unsigned k);
 

@@ -32,7 +32,7 @@ class SizeTree {
   };
 
   void refine();
-  void split(std::uint32_t node);
+  void split(std::uint32_t id);
   void balance();
   void number_corners();
   void fill_base(const std::function<double(Point)>& base_at);

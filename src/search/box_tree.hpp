@@ -65,8 +65,8 @@ class BoxTree {
       const double a = x(i), b = x(j);
       return a != b ? a < b : i < j;
     });
-    const double leaves = static_cast<double>((n + kFan - 1) / kFan);
-    const std::size_t per_slice = kFan * static_cast<std::size_t>(std::ceil(std::sqrt(leaves)));
+    const std::size_t leaves = (n + kFan - 1) / kFan;
+    const std::size_t per_slice = kFan * static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(leaves))));
     for (std::size_t first = 0; first < n; first += per_slice) {
       const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end = order_.begin() + static_cast<std::ptrdiff_t>(std::min(n, first + per_slice));

@@ -118,12 +118,47 @@ Model islands(Dice& dice) {  // plates in the hole of a plate, and beside it; cl
   return m;
 }
 
+Model near_misses(Dice& dice) {  // ends and lines that almost touch: from a hundredth of the size upwards
+  Model m = plate(8, 6, 0.5);
+  m.holes.push_back(circle({6, 3}, 0.8));
+  const auto gap = [&] { return 0.5 * std::pow(10, dice.number(-2, 0)); };
+  add_line(m, chain({{gap(), 1}, {8 - gap(), 1}}));
+  add_line(m, chain({{dice.number(0.5, 2), 1 + gap()}, {dice.number(3, 4.5), 1 + gap()}}));
+  add_line(m, chain({{2, 1 + gap()}, {2 + gap(), 6 - gap()}}));
+  add_line(m, chain({{2 + gap(), 3}, {5.2 - gap(), 3}}));
+  return m;
+}
+
+Model arcs(Dice& dice) {  // cross each other, the boundary and the hole, anywhere
+  Model m = plate(10, 7, 0.5);
+  m.outer[0].items.push_back({{0, 0}, Point{-dice.number(0.2, 3), 3.5}});
+  m.holes.push_back(circle({5, 3.5}, dice.number(0.3, 1.5)));
+  const auto place = [&] { return Point{dice.number(-1, 11), dice.number(-1, 8)}; };
+  for (int n = dice.whole(1, 4); n > 0; --n) {
+    const Point from = place(), via = place(), to = place();
+    add_line(m, {.items = {{from, {}}, {to, via}}, .circle = {}, .where = "arc"});
+  }
+  return m;
+}
+
+Model fan(Dice& dice) {  // lines that leave a point at small angles
+  Model m = plate(10, 6, 0.5);
+  double angle = dice.number(-0.5, 0);
+  for (int n = dice.whole(2, 6); n > 0; --n, angle += dice.number(0.05, 0.4)) {
+    const double length = dice.number(1, 2.8);
+    add_line(m, chain({{3, 3}, {3 + length * std::cos(angle), 3 + length * std::sin(angle)}}));
+  }
+  return m;
+}
+
 }  // namespace
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> all = {
-      {"line_soup", line_soup},       {"stiffened", stiffened}, {"holes", holes, false}, {"integer_grid", integer_grid},
-      {"star_polygon", star_polygon}, {"sizes", sizes},         {"islands", islands}};
+  static const std::vector<Family> all = {{"line_soup", line_soup},       {"stiffened", stiffened},
+                                          {"holes", holes, false},        {"integer_grid", integer_grid},
+                                          {"star_polygon", star_polygon}, {"sizes", sizes},
+                                          {"islands", islands},           {"near_misses", near_misses, true, true},
+                                          {"arcs", arcs, false},          {"fan", fan}};
   return all;
 }
 

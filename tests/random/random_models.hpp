@@ -24,6 +24,7 @@ struct Family {
   std::string name;
   Model (*make)(Dice& dice);
   bool lines_stay_inside = true;  ///< no line leaves the domain
+  bool is_hard = false;           ///< one mesh in ten may be refused
 };
 
 const std::vector<Family>& families();
