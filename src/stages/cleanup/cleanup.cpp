@@ -21,7 +21,7 @@ namespace {
 constexpr int kRounds = 2;
 constexpr int kFirstSweeps = 3;  // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 7;
-constexpr std::size_t kTries = 3;        // replacements tried per cavity
+constexpr std::size_t kTries = 6;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 
 // What an edit may lose.
@@ -29,7 +29,7 @@ constexpr double kFloor = 0.4;  // the least scaled Jacobian may fall by kMayLos
 constexpr double kMayLose = 0.2;
 constexpr double kBetaMayLose = 0.12;  // of the mean beta of the cavity and the quads round it
 constexpr double kBetaHopeless = 0.2;  // the same after the first sweep of smoothing
-constexpr double kSizeSpread = 0.1;    // see PatchQuality; never refused below it
+constexpr double kSizeSpread = 0.15;   // see PatchQuality; never refused below it
 
 // What it is worth beside a valence, to choose among edits.
 constexpr double kJacobianWorth = 20;  // of the least scaled Jacobian, where something must be mended
@@ -132,7 +132,7 @@ void CleanUp::smooth_all() {
       const NodeId opposite = topo.head(topo.next(h)), previous = topo.tail(topo.prev(h));
       star.push_back({mesh_.point(topo.head(h)), mesh_.point(opposite), mesh_.point(previous)});
     });
-    mesh_.move(v, better_place(mesh_.point(v), star));
+    mesh_.move(v, better_place(mesh_.point(v), star, size_[v]));
   }
 }
 

@@ -1,6 +1,6 @@
 // Newton's step on the inverse mean ratio of a star [Knupp2000] with the area D replaced by chi(D, e) =
 // (D + sqrt(D^2 + e^2)) / 2 where a corner is inverted [Garanzha2021]. We differ: e is chosen star by star, and the
-// curvature of chi is left out of the Hessian, which keeps it positive definite.
+// curvature of chi is left out of the Hessian, which keeps it positive definite; a term keeps edges near their size.
 #include "stages/cleanup/star.hpp"
 
 #include <algorithm>
@@ -16,6 +16,7 @@ constexpr double kFlat = 0.02;       // corner area, relative to the squares of 
 constexpr double kSoftening = 0.1;   // e, in the same unit
 constexpr double kSmallStep = 1e-8;  // squared, in the same unit: not worth while
 constexpr int kHalvings = 4;
+constexpr double kSize = 0.3;  // of the stretch of an edge, beside 1 for the shape of a corner
 
 // chi and its slope in the place of the area; plain areas where nothing is near flat.
 struct Plain {
@@ -43,12 +44,13 @@ struct Corners {
 };
 
 template <class Chi>
-double energy(Point p, std::span<const StarQuad> star, Chi chi) {
+double energy(Point p, std::span<const StarQuad> star, double size2, Chi chi) {
   double sum = 0;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const double a = chi.chi(c.own.area()), b = chi.chi(c.next.area()), d = chi.chi(c.previous.area());
     if (a <= 0 || b <= 0 || d <= 0) return kInfinity;
+    for (const Point e : {c.own.u, c.own.v}) sum += kSize * (norm2(e) / size2 + size2 / norm2(e));
     sum += c.own.squares() / a + c.next.squares() / b + c.previous.squares() / d;
   }
   return sum;
@@ -58,6 +60,17 @@ struct Newton {
   double value = 0;
   Point gradient;
   double xx = 0, xy = 0, yy = 0;
+
+  // Adds the stretch of an edge from the node, as n + 1 / n with n its square over the target's.
+  void add_size(Point edge, double size2) {
+    const double n2 = norm2(edge), inverse = size2 / (n2 * n2), first = 1 / size2 - inverse;
+    value += kSize * (n2 / size2 + size2 / n2);
+    gradient += (-2 * kSize * first) * edge;
+    const double bend = 2 * kSize * std::max(first, 0.0), cube = 8 * kSize * inverse / n2;
+    xx += bend + cube * edge.x * edge.x;
+    xy += cube * edge.x * edge.y;
+    yy += bend + cube * edge.y * edge.y;
+  }
 
   // Adds squares / chi(area), with the derivatives of both by the place of the node.
   template <class Chi>
@@ -74,11 +87,13 @@ struct Newton {
 };
 
 template <class Chi>
-Point newton_step(Point p, std::span<const StarQuad> star, double unit, Chi chi) {
+Point newton_step(Point p, std::span<const StarQuad> star, double unit, double size2, Chi chi) {
   Newton sum;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const Point u = c.own.u, v = c.own.v;
+    sum.add_size(u, size2);
+    sum.add_size(v, size2);
     const Point ahead = c.next.u, back = c.previous.v;
     sum.add(c.own, chi, -2.0 * (u + v), 4, {u.y - v.y, v.x - u.x});
     sum.add(c.next, chi, 2.0 * c.next.v, 2, {-ahead.y, ahead.x});
@@ -92,14 +107,14 @@ Point newton_step(Point p, std::span<const StarQuad> star, double unit, Chi chi)
   double t = 1;
   for (int i = 0; i < kHalvings; ++i, t *= 0.5) {
     const Point trial = p + t * step;
-    if (energy(trial, star, chi) < sum.value) return trial;
+    if (energy(trial, star, size2, chi) < sum.value) return trial;
   }
   return p;
 }
 
 }  // namespace
 
-Point better_place(Point p, std::span<const StarQuad> star) {
+Point better_place(Point p, std::span<const StarQuad> star, double size) {
   double least = kInfinity, squares = 0;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
@@ -107,9 +122,9 @@ Point better_place(Point p, std::span<const StarQuad> star) {
     squares += c.own.squares();
   }
   const double unit = squares / (2 * static_cast<double>(star.size()));
-  if (least > kFlat * unit) return newton_step(p, star, unit, Plain{});
+  if (least > kFlat * unit) return newton_step(p, star, unit, size * size, Plain{});
   const double e = kSoftening * unit;
-  return newton_step(p, star, unit, Soft{e * e});
+  return newton_step(p, star, unit, size * size, Soft{e * e});
 }
 
 }  // namespace quadline::cleanup

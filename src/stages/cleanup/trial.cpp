@@ -164,7 +164,7 @@ void Trial::smooth(int sweeps) {
     star_quads_.clear();
     for (std::uint32_t i = star_begin_[v]; i < star_begin_[v + 1]; ++i)
       star_quads_.push_back({nodes_[star_[i].next].at, nodes_[star_[i].opposite].at, nodes_[star_[i].previous].at});
-    nodes_[v].at = better_place(nodes_[v].at, star_quads_);
+    nodes_[v].at = better_place(nodes_[v].at, star_quads_, nodes_[v].size);
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::uint32_t v = n_rim_; v < n_own_; ++v) step(v);

@@ -14,7 +14,8 @@
 namespace quadline {
 namespace {
 
-constexpr double kRoundsAway = 0.7;  // edges: a lesser difference is hardly more than rounding
+constexpr double kMostUnequal = 1.6;  // ratio of the wishes of opposite sides beyond which rows had better end
+constexpr double kRoundsAway = 0.7;   // edges: a lesser difference is hardly more than rounding
 
 Point direction(const Domain& domain, DirectedCurve d, bool at_end) {
   const CurvePiece& piece = domain.curves[d.curve].piece;
@@ -29,23 +30,28 @@ int quads_at(const Domain& domain, const std::vector<DirectedCurve>& walk, std::
   return quads_for_angle(corner_angle(-1.0 * in, {0, 0}, out));
 }
 
-/// The sides of a cell between its corners, at most four; none where it has more, reflex corners, or something inside.
-std::vector<std::vector<CurveId>> sides_of(const Domain& domain, const Domain::Cell& cell) {
-  if (cell.walks.size() != 1 || !cell.lone_points.empty()) return {};
-  const auto& walk = cell.walks[0];
-  std::vector<std::size_t> corners;
+/// How many quads fit before each curve of a walk.
+std::vector<int> quads_along(const Domain& domain, const std::vector<DirectedCurve>& walk) {
+  std::vector<int> quads;
+  for (std::size_t i = 0; i < walk.size(); ++i) quads.push_back(quads_at(domain, walk, i));
+  return quads;
+}
+
+/// Right angles that a walk turns by to the left, as its quads count them: 4 round a rectangle.
+int turns(const std::vector<int>& quads) {
+  int sum = 0;
+  for (int k : quads) sum += 2 - k;
+  return sum;
+}
+
+/// The curves of a walk by the direction in which the rows of a grid would see them.
+std::array<std::vector<CurveId>, 4> sides_by_direction(const std::vector<DirectedCurve>& walk,
+                                                       const std::vector<int>& quads) {
+  std::array<std::vector<CurveId>, 4> sides;
+  unsigned direction = 0;
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const int quads = quads_at(domain, walk, i);
-    if (quads == 1) corners.push_back(i);
-    if (quads > 2 || corners.size() > 4) return {};
-  }
-  std::vector<std::vector<CurveId>> sides(corners.size());
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    std::size_t i = corners[k];
-    do {
-      sides[k].push_back(walk[i].curve);
-      i = (i + 1) % walk.size();
-    } while (i != corners[(k + 1) % corners.size()]);
+    if (i > 0) direction += 2u - static_cast<unsigned>(quads[i]);
+    sides[direction % 4].push_back(walk[i].curve);
   }
   return sides;
 }
@@ -60,29 +66,43 @@ double side_length(const std::vector<CurveId>& side, const IdVector<CurveId, Cou
 
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes) {
   std::vector<Bay> bays;
-  std::size_t next_walk = 0;
-  for (const Domain::Cell& cell : domain.cells) {
-    const std::size_t walk = std::exchange(next_walk, next_walk + cell.walks.size());
-    std::vector<std::vector<CurveId>> sides = sides_of(domain, cell);
-    if (sides.size() != 4) continue;
-    Bay bay{};
-    bay.walk = walk;
-    for (std::size_t k = 0; k < 4; ++k) bay.sides[k] = std::move(sides[k]);
+  const auto add = [&](Bay bay) {
     for (std::size_t k = 0; k < 2; ++k) {
       const double a = side_length(bay.sides[k], wishes), b = side_length(bay.sides[k + 2], wishes);
-      bay.is_close[k] = std::max(a, b) < kMostEvened * std::min(a, b) || std::abs(a - b) < kRoundsAway;
+      bay.is_close[k] =
+          a > 0 && b > 0 && (std::max(a, b) < kMostUnequal * std::min(a, b) || std::abs(a - b) < kRoundsAway);
     }
     if (bay.is_close[0] || bay.is_close[1]) bays.push_back(std::move(bay));
+  };
+  std::size_t next_walk = 0;
+  for (const Domain::Cell& cell : domain.cells) {
+    std::vector<int> turned;
+    for (const auto& walk : cell.walks) {
+      const std::vector<int> quads = quads_along(domain, walk);
+      turned.push_back(turns(quads));
+      if (std::abs(turned.back()) == 4) add({next_walk, sides_by_direction(walk, quads), {}});
+      ++next_walk;
+    }
+    if (turned.size() == 2 && turned[0] == 0 && turned[1] == 0) {
+      Bay ring{Bay::kNoWalk, {}, {}};
+      for (std::size_t k = 0; k < 2; ++k)
+        for (const DirectedCurve& d : cell.walks[k]) ring.sides[2 * k].push_back(d.curve);
+      add(std::move(ring));
+    }
   }
   return bays;
 }
 
 void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes) {
   for (const Domain::Cell& cell : domain.cells) {
-    const std::vector<std::vector<CurveId>> sides = sides_of(domain, cell);
-    if (sides.size() != 3) continue;
-    for (const std::vector<CurveId>& side : sides)
-      if (side.size() == 1) wishes[side[0]].least = std::max(wishes[side[0]].least, 2u);
+    if (cell.walks.size() != 1 || !cell.lone_points.empty()) continue;
+    const auto& walk = cell.walks[0];
+    const std::vector<int> quads = quads_along(domain, walk);
+    if (turns(quads) != 3 || std::count(quads.begin(), quads.end(), 1) != 3) continue;
+    for (std::size_t i = 0; i < walk.size(); ++i) {
+      CountWish& wish = wishes[walk[i].curve];
+      if (quads[i] == 1 && quads[(i + 1) % quads.size()] == 1) wish.least = std::max(wish.least, 2u);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "domain/domain.hpp"
@@ -9,15 +10,17 @@
 
 namespace quadline {
 
-/// A cell with four corners and nothing inside: it meshes as a grid where its opposite sides get equal counts.
+/// What meshes as a grid where its opposite sides get equal counts: a walk that turns by four right angles, as its
+/// quads count them (a rectangle, an L, a T; also a hole of that kind), its curves sorted by the direction in which
+/// rows meet them [Whiteley1996]; or a ring, whose two walks do not turn at all.
 struct Bay {
-  std::size_t walk;                           ///< number of its walk among all walks of all cells
-  std::array<std::vector<CurveId>, 4> sides;  ///< counter-clockwise; 0 is opposite to 2, 1 to 3
+  static constexpr std::size_t kNoWalk = SIZE_MAX;
+  std::size_t walk;                           ///< number among all walks of all cells; kNoWalk: a ring
+  std::array<std::vector<CurveId>, 4> sides;  ///< by direction; 0 is opposite to 2, 1 to 3
   std::array<bool, 2> is_close;               ///< sides 0 and 2, sides 1 and 3 want about the same count
 };
 
-/// The bays of a domain with a pair of opposite sides that want about the same count, in the order of the cells. A
-/// corner is a vertex where one quad fits; elsewhere two must fit. O(n).
+/// The bays of a domain with a pair of opposite sides that want about the same count, in the order of the cells. O(n).
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes);
 
 /// A cell with three corners wants two edges or more on each side: with one, a quad would have a flat corner.
@@ -27,6 +30,6 @@ void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes)
 /// counts. No wish changes by more than the factor `kMostEvened`. O(n).
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes);
 
-inline constexpr double kMostEvened = 1.15;
+inline constexpr double kMostEvened = 1.25;
 
 }  // namespace quadline

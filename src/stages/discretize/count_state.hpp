@@ -66,7 +66,7 @@ class CountState {
   /// Makes the changes if that lowers the cost. @pre no curve occurs twice.
   bool try_changes(const std::vector<Change>& changes);
 
-  static constexpr double kGapCost = 0.05;  ///< of one edge of `gap`; as one edge off where four are wished
+  static constexpr double kGapCost = 0.1;  ///< of one edge of `gap`; as one edge off where four are wished
 
  private:
   void apply(const std::vector<Change>& changes, bool forward);

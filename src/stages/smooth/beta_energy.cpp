@@ -9,7 +9,7 @@ namespace {
 
 // Weights beside the stand-in: of its square, for the worst quads; of the inverse mean ratio of each corner, and of
 // (n + 1/n) / 2 of each edge with n its squared length over the target's, as beta does not see stretch.
-constexpr double kSquare = 0.2, kShape = 0.1, kSize = 0.025;
+constexpr double kSquare = 0.2, kShape = 0.1, kSize = 0.06;
 constexpr double kFlat = 1e-6;  // a quad whose opposite corner is flat has no beta to raise
 
 // exp(x) and exp(-x) of the three differences.

@@ -120,7 +120,7 @@ TEST(BetterPlace, MovesToTheMiddleOfASquare) {
   const Point a{-1, -1}, b{1, -1}, c{1, 1}, d{-1, 1}, e{0, -1}, f{1, 0}, g{0, 1}, h{-1, 0};
   const std::vector<StarQuad> star{{h, a, e}, {e, b, f}, {f, c, g}, {g, d, h}};
   Point p{0.4, 0.3};
-  for (int i = 0; i < 8; ++i) p = better_place(p, star);
+  for (int i = 0; i < 8; ++i) p = better_place(p, star, 1);
   EXPECT_NEAR(p.x, 0, 1e-3);
   EXPECT_NEAR(p.y, 0, 1e-3);
 }
@@ -129,7 +129,7 @@ TEST(BetterPlace, ComesBackFromOutside) {
   const Point a{-1, -1}, b{1, -1}, c{1, 1}, d{-1, 1}, e{0, -1}, f{1, 0}, g{0, 1}, h{-1, 0};
   const std::vector<StarQuad> star{{h, a, e}, {e, b, f}, {f, c, g}, {g, d, h}};
   Point p{1.6, 0.2};
-  for (int i = 0; i < 20; ++i) p = better_place(p, star);
+  for (int i = 0; i < 20; ++i) p = better_place(p, star, 1);
   EXPECT_NEAR(p.x, 0, 0.01);
   EXPECT_NEAR(p.y, 0, 0.01);
 }
