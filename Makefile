@@ -3,13 +3,15 @@ QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
 SOURCES = $(shell find include src io draw cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help setup build demo test paper bench format tidy clean
+.PHONY: help setup build demo test paper bench soak fuzz format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
 	@echo "make build   build the release binary, $(QUADLINE)"
 	@echo "make paper   mesh the paper's models and compare with its Table 3"
 	@echo "make bench   run the benchmarks"
+	@echo "make soak    mesh random models until one fails (SOAK='--keep-going --seconds 600')"
+	@echo "make fuzz    run each fuzz target for a minute (FUZZ_SECONDS=60)"
 	@echo "make format  format the sources"
 	@echo "make tidy    lint them"
 	@echo "make clean   remove build/ and out/"
@@ -43,6 +45,14 @@ bench: setup
 	@$(MAKE) --no-print-directory build
 	@cmake --build --preset release --target quadline_benchmarks
 	@build/release/benchmarks/quadline_benchmarks
+
+soak: setup
+	@$(MAKE) --no-print-directory build
+	@cmake --build --preset release --target quadline_soak
+	@build/release/tests/soak/quadline_soak $(SOAK)
+
+fuzz: setup
+	@scripts/run-fuzz $(or $(FUZZ_SECONDS),60)
 
 format:
 	@clang-format-19 -i $(SOURCES)

@@ -102,10 +102,12 @@ class Search {
       });
       if (!is_first) note(coincident_, at(nodes[i]));
     }
-    for (const auto& [a, b] : boundary_)
-      tree.query(inflated(join({at(a), at(a)}, {at(b), at(b)}), nothing), [&](std::size_t i) {
-        if (hangs_on(at(nodes[i]), at(a), at(b), nothing)) note(hanging_, at(nodes[i]));
+    for (const auto& edge : boundary_) {
+      const Point a = at(edge[0]), b = at(edge[1]);
+      tree.query(inflated(join({a, a}, {b, b}), nothing), [&](std::size_t i) {
+        if (hangs_on(at(nodes[i]), a, b, nothing)) note(hanging_, at(nodes[i]));
       });
+    }
   }
 
   static bool hangs_on(Point p, Point a, Point b, double nothing) {

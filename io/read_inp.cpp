@@ -120,6 +120,7 @@ void Reader::read_card() {
   const auto add = [&](std::string_view field) {
     if (card_.keyword.empty()) {
       card_.keyword = upper_case(trimmed(field.substr(1)));
+      if (card_.keyword.empty()) fail("a card has no keyword");
       return;
     }
     const std::size_t equals = field.find('=');

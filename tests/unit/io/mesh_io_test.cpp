@@ -164,6 +164,7 @@ TEST(MeshInp, ErrorsNameTheLine) {
   EXPECT_NE(message_of(parse_inp, "*NODE\n1,0,0\n2,1,0\n*ELEMENT,TYPE=S4\n1,1,2,3,4\n").find("line 5"),
             std::string::npos);
   EXPECT_NE(message_of(parse_inp, "*NODE\n1,0,0\n*ELEMENT,TYPE=C3D8\n").find("C3D8"), std::string::npos);
+  EXPECT_NE(message_of(parse_inp, "*,,x\n").find("no keyword"), std::string::npos);
 }
 
 TEST(MeshMsh, ReadsVersion2) {

@@ -1,0 +1,14 @@
+// Triangle's .poly: a model, or an InputError.
+#include <cstddef>
+#include <cstdint>
+
+#include "io/read_model_formats.hpp"
+#include "quadline/errors.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    quadline::read_model_poly({reinterpret_cast<const char*>(data), size}, "/nowhere/fuzz.poly");
+  } catch (const quadline::InputError&) {
+  }
+  return 0;
+}
