@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "io/nearest_name.hpp"
 #include "io/number_text.hpp"
 #include "quadline/errors.hpp"
 
@@ -47,10 +48,11 @@ void add_mesh_file(CLI::App& app, std::filesystem::path& mesh) {
 }
 
 void add_size(CLI::App& app, Options& options) {
-  add_number(app, "--size", "target edge length, instead of the model's", "a length above 0", [&options](double value) {
-    options.size = value;
-    return value > 0;
-  });
+  add_number(app, "--size", "target edge length, instead of the model's and of a .poly's areas", "a length above 0",
+             [&options](double value) {
+               options.size = value;
+               return value > 0;
+             });
 }
 
 void add_arrangement_options(CLI::App& app, Options& options) {
@@ -75,7 +77,8 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App* mesh = app.add_subcommand("mesh", "Mesh a model with quadrilaterals");
   add_model(*mesh, arguments.model);
   mesh->add_option("-o,--output", arguments.outputs,
-                   "a file to write: .vtu, .msh, .inp, .svg or .json; may be given several times")
+                   "a file to write: .vtu, .msh, .inp, .svg or .json, or FORMAT:FILE as in msh:/dev/stdout; may be "
+                   "given several times")
       ->allow_extra_args(false)
       ->type_name("FILE");
   add_arrangement_options(*mesh, arguments.options);
@@ -102,7 +105,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   mesh->add_option("--report", arguments.report, "write counts, quality, seconds and memory into this JSON file")
       ->type_name("FILE");
   mesh->add_flag("--json", arguments.json, "print the report instead of the table");
-  mesh->add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  mesh->add_flag("--quiet", arguments.quiet, "print nothing but errors and what of the model was dropped");
   mesh->add_flag("--keep-bad", arguments.keep_bad, "write the mesh even if it breaks the promise; exits with 3 still");
   return mesh;
 }
@@ -132,6 +135,37 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& arguments) {
   return draw;
 }
 
+[[noreturn]] void refuse_word(const std::string& kind, const std::string& word, const std::string& dashes,
+                              const std::vector<std::string>& known, const std::string& help) {
+  const std::string nearest = nearest_name(word, known);
+  throw InputError("unknown " + kind + " '" + dashes + word +
+                   "': " + (nearest.empty() ? "see '" + help + "'" : "did you mean '" + dashes + nearest + "'?"));
+}
+
+/// @throws InputError  a command or a long option is none that there is: names the one that was probably meant.
+void refuse_unknown_words(const CLI::App& app, int argc, const char* const* argv) {
+  const std::vector<const CLI::App*> commands = app.get_subcommands(nullptr);
+  std::vector<std::string> known;
+  for (const CLI::App* command : commands) known.push_back(command->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto chosen = std::find(known.begin(), known.end(), first);
+  if (chosen == known.end()) {
+    if (!first.empty() && first[0] != '-') refuse_word("command", first, "", known, "quadline --help");
+    return;
+  }
+  const CLI::App* command = commands[static_cast<std::size_t>(chosen - known.begin())];
+  known.clear();
+  for (const CLI::Option* option : command->get_options(nullptr))
+    known.insert(known.end(), option->get_lnames().begin(), option->get_lnames().end());
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with("--") || word == "--") continue;
+    const std::string name = word.substr(2, word.find('=') - 2);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse_word("option", name, "--", known, "quadline " + first + " --help");
+  }
+}
+
 }  // namespace
 
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
@@ -154,6 +188,7 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     app.exit(asked);
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
+    refuse_unknown_words(app, argc, argv);
     throw InputError(std::string(error.what()) + ": see 'quadline --help'");
   }
   if (app.get_subcommands().empty())

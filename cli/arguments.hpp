@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -11,9 +12,9 @@ namespace quadline {
 
 struct MeshArguments {
   std::filesystem::path model;
-  std::vector<std::filesystem::path> outputs;
-  std::filesystem::path stages;  ///< folder for a snapshot after every stage; empty: none
-  std::filesystem::path report;  ///< empty: none
+  std::vector<std::string> outputs;  ///< as `mesh_file` takes them
+  std::filesystem::path stages;      ///< folder for a snapshot after every stage; empty: none
+  std::filesystem::path report;      ///< empty: none
   Options options;
   unsigned threads = 1;
   double max_quads = 50e6;  ///< refuse what is expected to become larger
@@ -37,7 +38,7 @@ struct InfoArguments {
 
 struct DrawArguments {
   std::filesystem::path mesh;
-  std::filesystem::path output;
+  std::string output;  ///< as `mesh_file` takes it
 };
 
 using Arguments = std::variant<MeshArguments, CheckArguments, InfoArguments, DrawArguments>;

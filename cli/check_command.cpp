@@ -68,6 +68,7 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
     out += "  - " + std::string(InputError(line, Where{{}, {}, fault.first}).what()) + '\n';
   }
   if (verdict.all_quad && !mesh.triangles.empty()) out += "  - not all elements are quads\n";
+  if (!arguments.model.empty() && !verdict.broken) out += "against the model: kept: " + arguments.model.string() + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
   return out + quality_table(verdict.quality);

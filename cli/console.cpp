@@ -31,13 +31,21 @@ void complain(std::string_view text) {
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
-void print_findings(const std::vector<Finding>& findings, const std::string& file) {
-  const std::size_t n = std::min(findings.size(), kMostFindings);
-  for (std::size_t i = 0; i < n; ++i)
-    complain(InputError("note: " + findings[i].text, Where{file, findings[i].place, findings[i].at}).what());
-  if (n < findings.size())
-    complain("note: and " + std::to_string(findings.size() - n) + " more: see --report or --json");
+void print_findings(const std::vector<Finding>& findings, const std::string& file, bool only_losses) {
+  for (const bool is_loss : {true, false}) {  // many notes shall not hide a loss
+    if (only_losses && !is_loss) return;
+    std::size_t n = 0;
+    for (const Finding& finding : findings) {
+      if (finding.is_loss != is_loss || ++n > kMostFindings) continue;
+      complain(InputError(loudness(finding) + finding.text, Where{file, finding.place, finding.at}).what());
+    }
+    if (n > kMostFindings)
+      complain(std::string(is_loss ? "warning" : "note") + ": and " + std::to_string(n - kMostFindings) +
+               " more: see --report or --json");
+  }
 }
+
+std::string loudness(const Finding& finding) { return finding.is_loss ? "warning: " : "note: "; }
 
 std::string fixed(double value, int digits) { return printed("%.*f", digits, value); }
 

@@ -17,8 +17,12 @@ void print(std::string_view text);
 /// Prints "quadline: text" as one line on standard error.
 void complain(std::string_view text);
 
-/// Prints what was found and mended, a line each on standard error; of a great many the first ones.
-void print_findings(const std::vector<Finding>& findings, const std::string& file);
+/// Prints what was found, a line each on standard error; of a great many the first ones.
+/// @param only_losses  what is in the mesh all the same is passed over.
+void print_findings(const std::vector<Finding>& findings, const std::string& file, bool only_losses);
+
+/// "warning: " for what the mesh lacks, "note: " for what was mended.
+std::string loudness(const Finding& finding);
 
 /// The number with `digits` digits behind the point.
 std::string fixed(double value, int digits);

@@ -6,11 +6,10 @@
 namespace quadline {
 
 int run(const DrawArguments& arguments) {
-  std::string extension = arguments.output.extension().string();
-  if (extension != ".svg" && extension != ".SVG")
-    throw InputError("the format '" + extension + "' is unknown: use .svg", Where{arguments.output.string(), {}, {}});
-  check_can_write(arguments.output);
-  write_mesh(read_mesh(arguments.mesh), arguments.output);
+  const MeshFile output = mesh_file(arguments.output);
+  if (output.format != "svg") throw InputError("is no picture: use .svg", Where{arguments.output, {}, {}});
+  check_can_write(output.path);
+  write_mesh(read_mesh(arguments.mesh), output);
   return kDone;
 }
 

@@ -23,7 +23,7 @@ struct Facts {
 };
 
 Facts facts_of(const InfoArguments& arguments) {
-  Facts facts{.model = read_model(arguments.model), .domain = {}};
+  Facts facts{.model = read_model(arguments.model, arguments.options.size), .domain = {}};
   check_size_given(facts.model, arguments.options);
   Context context;
   context.is_cancelled = is_interrupted;
@@ -58,7 +58,9 @@ std::string text_of(const Facts& facts) {
       {"mended", counted(domain.findings.size(), "finding", "findings")}};
   for (const auto& [name, value] : rows) out += "  " + std::string(name) + ": " + value + '\n';
   for (const Finding& finding : domain.findings)
-    out += "  - " + std::string(InputError(finding.text, Where{{}, finding.place, finding.at}).what()) + '\n';
+    out += "  - " +
+           std::string(InputError(loudness(finding) + finding.text, Where{{}, finding.place, finding.at}).what()) +
+           '\n';
   return out;
 }
 

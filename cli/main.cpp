@@ -1,5 +1,8 @@
+#include <fcntl.h>
+
 #include <csignal>
 #include <new>
+#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -9,6 +12,15 @@
 namespace quadline {
 
 namespace {
+
+/// A file that is opened while standard output or standard error is closed would take its number, and our words with
+/// it. What stands in for them cannot be written, so that the output is missed as before.
+void fill_closed_descriptors() {
+  for (int i = 0; i <= 2; ++i)
+    if (::fcntl(i, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+}
+
+constexpr const char* kNoMemory = "not enough memory: choose a larger size";
 
 int fail(const std::string& message, int exit_code) {
   // What a signal broke off, it broke off: the error that came of it is not the news.
@@ -29,7 +41,9 @@ int run_command(int argc, const char* const* argv) {
   } catch (const OutputError& error) {
     return fail(error.what(), kCannotWrite);
   } catch (const std::bad_alloc&) {
-    return fail("not enough memory: choose a larger size", kBrokenPromise);
+    return fail(kNoMemory, kBrokenPromise);
+  } catch (const std::length_error&) {  // more than any memory can hold
+    return fail(kNoMemory, kBrokenPromise);
   } catch (const std::exception& error) {
     return fail(std::string(error.what()) + ": a defect of Quadline, please report it", kBrokenPromise);
   }
@@ -40,6 +54,7 @@ int run_command(int argc, const char* const* argv) {
 }  // namespace quadline
 
 int main(int argc, char** argv) {
+  quadline::fill_closed_descriptors();
   quadline::watch_for_interrupts();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing like any other
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow further

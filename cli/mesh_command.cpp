@@ -1,5 +1,8 @@
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -74,7 +77,7 @@ class Snapshots {
   void write(std::string_view name, const Mesh& mesh) {
     const std::string number = std::to_string(++n_);
     const fs::path stem = folder_ / (std::string(number.size() < 2 ? "0" : "") + number + "-" + std::string(name));
-    for (const char* extension : {".svg", ".vtu"}) write_mesh(mesh, stem.string() + extension);
+    for (const char* format : {"svg", "vtu"}) write_mesh(mesh, {stem.string() + '.' + format, format});
   }
 
  private:
@@ -82,14 +85,23 @@ class Snapshots {
   int n_ = 0;
 };
 
+/// The file is what standard output goes to: a mesh there leaves no place for words.
+bool is_standard_output(const fs::path& file) {
+  struct stat a{}, b{};
+  return ::stat(file.c_str(), &a) == 0 && ::fstat(STDOUT_FILENO, &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
+}
+
+bool takes_standard_output(const MeshArguments& arguments) {
+  for (const std::string& output : arguments.outputs)
+    if (is_standard_output(mesh_file(output).path)) return true;
+  return false;
+}
+
 /// Errors that would come after the work are found before it.
 void check_outputs(const MeshArguments& arguments) {
-  std::vector<fs::path> files = arguments.outputs;
-  for (const fs::path& file : files) {
-    if (!is_mesh_format(file))
-      throw InputError("the format '" + file.extension().string() + "' is unknown: use .vtu, .msh, .inp, .svg or .json",
-                       Where{file.string(), {}, {}});
-  }
+  std::vector<fs::path> files;
+  for (const std::string& output : arguments.outputs) files.push_back(mesh_file(output).path);
   if (files.empty() && arguments.report.empty() && arguments.stages.empty() && !arguments.json)
     throw InputError("expected a file to write: give -o FILE");
   if (!arguments.report.empty()) files.push_back(arguments.report);
@@ -101,16 +113,36 @@ void check_outputs(const MeshArguments& arguments) {
       if (files[i].lexically_normal() == files[j].lexically_normal()) throw InputError("is given twice", where);
     check_can_write(files[i]);
   }
+  if (arguments.json && takes_standard_output(arguments))
+    throw InputError("standard output takes the mesh already: give --report FILE instead of --json");
 }
 
 void write_files(const MeshArguments& arguments, Run& run, StageWatch& watch) {
   watch.enter("write");
-  for (const fs::path& file : arguments.outputs) {
+  for (const std::string& output : arguments.outputs) {
     if (is_interrupted()) throw Cancelled();
+    const MeshFile file = mesh_file(output);
     write_mesh(run.result.mesh, file);
-    run.files.push_back(file);
+    run.files.push_back(file.path);
   }
   watch.leave();
+}
+
+/// "on 3 lines: 57 edges, 60 nodes"; empty without lines.
+std::string on_lines(const Mesh& mesh) {
+  std::size_t n_lines = 0, n_edges = 0;
+  std::vector<NodeIndex> nodes;
+  for (const EdgeSet& curve : mesh.curves) {
+    if (curve.kind != CurveKind::Line) continue;
+    ++n_lines;
+    n_edges += curve.edges.size();
+    for (const auto& edge : curve.edges) nodes.insert(nodes.end(), edge.begin(), edge.end());
+  }
+  if (n_lines == 0) return "";
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return "on " + counted(n_lines, "line", "lines") + ": " + counted(n_edges, "edge", "edges") + ", " +
+         counted(nodes.size(), "node", "nodes") + '\n';
 }
 
 std::string summary(const Run& run) {
@@ -118,6 +150,7 @@ std::string summary(const Run& run) {
   std::string out = run.model.name.empty() ? run.model.file : run.model.name;
   out += ": " + counted(report.quality.n_quads, "quad", "quads") + ", " +
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
+  out += on_lines(run.result.mesh);
   out += before_and_after(report.before_smoothing, report.quality);
   for (const fs::path& file : run.files) out += "written: " + file.string() + '\n';
   return out;
@@ -131,7 +164,7 @@ int run(const MeshArguments& arguments) {
   watch.enter("read");
   Run run;
   run.version = QUADLINE_VERSION;
-  run.model = read_model(arguments.model);
+  run.model = read_model(arguments.model, arguments.options.size);
   run.options = arguments.options;
   run.threads = arguments.threads;
   check_size_given(run.model, run.options);
@@ -159,10 +192,10 @@ int run(const MeshArguments& arguments) {
   run.stages = watch.stages();
   run.elapsed_s = watch.elapsed_s();
   if (writes && !arguments.report.empty()) write_atomically(arguments.report, report_json(run));
-  if (!arguments.quiet) print_findings(run.result.report.findings, run.model.file);
+  print_findings(run.result.report.findings, run.model.file, arguments.quiet);
   if (arguments.json) {
     print(report_json(run));
-  } else if (!arguments.quiet && writes) {
+  } else if (!arguments.quiet && writes && !takes_standard_output(arguments)) {
     print(summary(run));
   }
   if (!failure) return kDone;

@@ -33,6 +33,11 @@ std::string before_and_after(const Quality& before, const Quality& after) {
   rows.push_back(row("scaled Jacobian, least", [](const Quality& q) { return fixed(q.scaled_jacobian.min, 3); }));
   rows.push_back(row("least angle, degrees", [](const Quality& q) { return fixed(q.min_angle_deg.min, 1); }));
   rows.push_back(row("greatest angle, degrees", [](const Quality& q) { return fixed(q.max_angle_deg.max, 1); }));
+  if (after.edge_to_size) {
+    rows.push_back({"edge length / size, least", "", fixed(after.edge_to_size->min, 2)});
+    rows.push_back({"edge length / size, median", "", fixed(after.edge_to_size->median, 2)});
+    rows.push_back({"edge length / size, greatest", "", fixed(after.edge_to_size->max, 2)});
+  }
   rows.push_back(row("irregular nodes", [](const Quality& q) { return std::to_string(q.n_irregular); }));
   rows.back().push_back(share(after.n_irregular, after.n_nodes));
   return aligned(rows);

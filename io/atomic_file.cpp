@@ -11,17 +11,34 @@
 #include <system_error>
 #include <utility>
 
+#include "io/number_text.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The number of /dev/fd/3 or /proc/self/fd/3; -1 for other places.
+int descriptor_at(const fs::path& place) {
+  const fs::path folder = place.parent_path();
+  if (folder != "/proc/self/fd" && folder != "/dev/fd") return -1;
+  return parse_number<int>(place.filename().string()).value_or(-1);
+}
+
+}  // namespace
+
 AtomicFile::AtomicFile(const fs::path& target) : target_(target), place_(target) {
   if (target.empty()) fail(ENOENT);
   std::error_code error;
   // A link whose target is missing is followed too: the file shall appear where it points.
   for (int hops = 0; fs::is_symlink(place_, error); ++hops) {
+    descriptor_ = descriptor_at(place_);
+    if (descriptor_ >= 0) {
+      check_descriptor();
+      return;
+    }
     if (hops == 40) fail(ELOOP);
     const fs::path next = fs::read_symlink(place_, error);
     if (error) fail(error.value());
@@ -38,9 +55,17 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(target), place_(target)
   if (is_there) ::fchmod(file_, old.st_mode & 07777);  // where it may not be kept, the usual rights are no failure
 }
 
+/// To open it by its name would start at the front of a file that others have written to, and not work for a socket.
+void AtomicFile::check_descriptor() const {
+  const int flags = ::fcntl(descriptor_, F_GETFL);
+  if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) fail(EBADF);
+}
+
 void AtomicFile::open_in_place() {
-  file_ = ::open(place_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file_ < 0) fail(errno);
+  file_ = descriptor_ >= 0 ? ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0) : ::open(place_.c_str(), O_WRONLY | O_CLOEXEC);
+  struct stat status{};
+  if (file_ < 0 || ::fstat(file_, &status) != 0) fail(errno);
+  is_stream_ = !S_ISREG(status.st_mode);
 }
 
 void AtomicFile::open_beside() {
@@ -64,9 +89,13 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::write(std::string_view bytes) {
   if (file_ < 0) open_in_place();
   while (!bytes.empty()) {
-    const ssize_t written = ::write(file_, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
-    if (written < 0 && errno != EINTR) fail(errno);
-    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    const std::size_t wanted = std::min(bytes.size(), std::size_t{1} << 30);
+    const ssize_t written = ::write(file_, bytes.data(), wanted);
+    if (written < 0 && (errno != EINTR || is_stream_)) fail(errno);
+    if (written <= 0) continue;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    // A pipe takes less than it was given only where a signal came: to try again could wait for ever.
+    if (is_stream_ && static_cast<std::size_t>(written) < wanted) fail(EINTR);
   }
 }
 

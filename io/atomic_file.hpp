@@ -9,7 +9,8 @@ namespace quadline {
 ///
 /// Until then, and where anything fails, whatever stood there before still stands. A link is followed, so that the file
 /// it points at changes; the rights of a file that is replaced are kept. What is no plain file (a pipe, a terminal,
-/// /dev/null) is written straight away, for there is nothing to keep.
+/// /dev/null, or what the process holds open as /dev/stdout or /dev/fd/3) is written straight away, for there is
+/// nothing to keep. A signal that is caught ends the wait for the reader of a pipe, as an error.
 class AtomicFile {
  public:
   /// @throws OutputError  the target is a folder or may not be written, or its folder is missing or may not be written.
@@ -27,11 +28,14 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(int reason) const;
   void open_in_place();
+  void check_descriptor() const;
   void open_beside();
 
   std::filesystem::path target_;     ///< as given, for messages
   std::filesystem::path place_;      ///< where links lead
   std::filesystem::path temporary_;  ///< empty: written straight away
+  int descriptor_ = -1;              ///< of this process, that the target stands for: /dev/stdout, /dev/fd/3
+  bool is_stream_ = false;
   int file_ = -1;
 };
 

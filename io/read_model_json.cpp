@@ -1,10 +1,10 @@
 // Checked by hand rather than against schema/model.schema.json: so that each message can say what to do.
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "io/nearest_name.hpp"
 #include "io/number_text.hpp"
 #include "io/parse_json.hpp"
 #include "io/read_model_formats.hpp"
@@ -15,22 +15,6 @@ namespace quadline {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Letters to change, insert or take away to make b of a.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
 
 /// "a list", "the text 'left'": what stands where something else was expected.
 std::string found(const Json& value) {
@@ -119,22 +103,14 @@ class Reader {
   }
 
   /// A key with a slip of the pen would lose what it holds; keys that start with "x-" are free for other programs.
-  void expect_keys(const Spot& object, std::initializer_list<std::string_view> known) const {
+  void expect_keys(const Spot& object, const std::vector<std::string>& known) const {
     for (const auto& [key, value] : object.value.items()) {
       if (key.starts_with("x-") || (key == "$schema" && !object.up)) continue;
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      std::string_view nearest;
-      std::size_t least = 4;
-      for (const std::string_view candidate : known) {
-        const std::size_t distance = edit_distance(candidate, key.substr(0, 64));
-        if (distance < std::min(least, candidate.size())) {
-          least = distance;
-          nearest = candidate;
-        }
-      }
-      fail(Spot{value, &object, key}, "unknown key '" + key + "': " +
-                                          (nearest.empty() ? "take it out, or let it begin with 'x-'"
-                                                           : "did you mean '" + std::string(nearest) + "'?"));
+      const std::string nearest = nearest_name(key, known);
+      fail(Spot{value, &object, key},
+           "unknown key '" + key + "': " +
+               (nearest.empty() ? "take it out, or let it begin with 'x-'" : "did you mean '" + nearest + "'?"));
     }
   }
 

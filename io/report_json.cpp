@@ -56,7 +56,8 @@ Json json_of(const Quality& quality) {
 Json json_of(const std::vector<Finding>& findings) {
   Json out = Json::array();
   for (const Finding& finding : findings)
-    out.push_back({{"text", finding.text}, {"place", finding.place}, {"at", json_of(finding.at)}});
+    out.push_back(
+        {{"text", finding.text}, {"place", finding.place}, {"at", json_of(finding.at)}, {"loss", finding.is_loss}});
   return out;
 }
 

@@ -1,32 +1,33 @@
+#include <string_view>
+
 #include "base/check.hpp"
 #include "draw/svg.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/mesh_io.hpp"
+#include "quadline/errors.hpp"
 
 namespace quadline {
 namespace {
 
 struct Format {
-  const char* extension;
+  std::string_view name;
   std::string (*to_bytes)(const Mesh& mesh);
 };
 constexpr Format kFormats[] = {
-    {".vtu", to_vtu}, {".msh", to_msh}, {".inp", to_inp}, {".svg", to_svg}, {".json", to_mesh_json},
+    {"vtu", to_vtu}, {"msh", to_msh}, {"inp", to_inp}, {"svg", to_svg}, {"json", to_mesh_json},
 };
 
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
+const Format* format_of(std::string_view name) {
+  for (const Format& format : kFormats)
+    if (name == format.name) return &format;
+  return nullptr;
 }
 
-const Format* format_of(const std::filesystem::path& file) {
-  const std::string extension = lower_case_extension(file);
-  for (const Format& format : kFormats)
-    if (extension == format.extension) return &format;
-  return nullptr;
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
 template <class Elements>
@@ -57,15 +58,23 @@ void check_arrays(const Mesh& mesh) {
 
 }  // namespace
 
-bool is_mesh_format(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+MeshFile mesh_file(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon != text.npos && format_of(text.substr(0, colon))) return {text.substr(colon + 1), text.substr(0, colon)};
+  const std::filesystem::path path = text;
+  const std::string extension = path.extension().string();
+  const std::string format = lower_case(extension.substr(extension.empty() ? 0 : 1));
+  if (format_of(format)) return {path, format};
+  throw InputError("the format '" + extension + "' is unknown: use .vtu, .msh, .inp, .svg or .json" +
+                       (extension.empty() ? ", or name the format: vtu:" + text : ""),
+                   Where{text, {}, {}});
+}
 
-void write_mesh(const Mesh& mesh, const std::filesystem::path& file) {
-  const Format* format = format_of(file);
-  if (!format)
-    throw InputError("unknown mesh format '" + file.extension().string() + "': use .vtu, .msh, .inp, .svg or .json",
-                     Where{.file = file.string(), .place = {}, .point = {}});
+void write_mesh(const Mesh& mesh, const MeshFile& file) {
+  const Format* format = format_of(file.format);
+  QUADLINE_CHECK(format);
   check_arrays(mesh);
-  write_atomically(file, format->to_bytes(mesh));
+  write_atomically(file.path, format->to_bytes(mesh));
 }
 
 }  // namespace quadline

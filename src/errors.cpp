@@ -6,9 +6,10 @@ namespace quadline {
 
 namespace {
 
+/// Nine digits: a place for people to look at, not the number itself.
 std::string text_of(double x) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 9).ptr;
   return {buffer, end};
 }
 

@@ -15,7 +15,8 @@ struct Where {
   std::optional<Point> point;
 };
 
-/// Root of all errors that Quadline throws. `what()` is one line: "file: place: message at (x, y)".
+/// Root of all errors that Quadline throws. `what()` is one line: "file: place: message at (x, y)", to nine
+/// digits; `where()` holds the numbers.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& message, Where where = {});

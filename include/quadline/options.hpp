@@ -18,7 +18,7 @@ enum class Triangles {
 
 /// What the caller may choose. The defaults suit every model.
 struct Options {
-  std::optional<double> size;  ///< target edge length instead of the model's, model units, > 0
+  std::optional<double> size{};  ///< target edge length instead of the model's, model units, > 0
   /// At least so many edges on a full turn of a curve, >= 4; on circles small beside the sizes down to half of it.
   double edges_per_circle = 16;
   double growth = 1.3;  ///< largest ratio of the sizes of neighbouring edges, > 1

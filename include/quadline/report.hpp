@@ -13,6 +13,7 @@ struct Finding {
   std::string text;   ///< one line: what was found and what was done
   std::string place;  ///< place in the file, if known
   Point at;
+  bool is_loss = false;  ///< the mesh lacks something that the model holds
 };
 
 struct StageTime {

@@ -22,6 +22,7 @@ class Classifier {
       const Face& face = parts_.faces[f];
       if (face.outer < 0 || face.holes < 0 || face.outer - face.holes > 1) fail(f);
     }
+    for (const Route& route : work_.routes) refuse_flat(route);
     bool is_empty = true;
     for (const Face& face : parts_.faces) is_empty = is_empty && !face.is_inside();
     for (const Route& route : work_.routes) {
@@ -122,6 +123,13 @@ class Classifier {
     return best;
   }
 
+  /// A loop that crosses itself may have no area either: where it does is told before, by the faces.
+  void refuse_flat(const Route& route) const {
+    if (route.kind == CurveKind::Line || !route.is_flat) return;
+    throw InputError("loop '" + route.name + "' has no area: it needs three distinct points, in order round it",
+                     work_.where(route.where, route.start));
+  }
+
   void check_hole(const Route& hole) {
     bool is_in_outer = false, bounds = false, is_whole = true;
     for (const DirectedCurve& use : hole.uses) {
@@ -139,7 +147,7 @@ class Classifier {
     }
     const std::string text = bounds ? "reaches over another loop: what they cover together is cut away"
                                     : "lies in another hole: it cuts away nothing";
-    work_.findings.push_back({"'" + hole.name + "' " + text, hole.where, at});
+    work_.findings.push_back({"'" + hole.name + "' " + text, hole.where, at, true});
   }
 
   void report_touching() {

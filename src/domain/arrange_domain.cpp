@@ -39,6 +39,10 @@ class Builder {
     work_.findings.push_back({text, place, at});
   }
 
+  void lose(const std::string& text, const std::string& place, Point at) {
+    work_.findings.push_back({text, place, at, true});
+  }
+
   void add_cells() {
     cell_of_.assign(parts_.faces.size(), CellId());
     for (std::size_t f = 0; f < parts_.faces.size(); ++f) {
@@ -137,7 +141,7 @@ class Builder {
       if (is_repeated) find("'" + route.name + "' runs over itself: taken once", route.where, repeated_at);
       if (is_outside && route.kind == CurveKind::Line) {
         const bool is_gone = path.curves.empty();
-        find("line '" + route.name + (is_gone ? "' lies outside the domain: dropped" : "' leaves the domain: trimmed"),
+        lose("line '" + route.name + (is_gone ? "' lies outside the domain: dropped" : "' leaves the domain: trimmed"),
              route.where, left_at);
       }
       out_.paths.push_back(std::move(path));
@@ -174,7 +178,7 @@ class Builder {
       if (!is_on_curve && first_use[v] == UINT32_MAX) {
         const CellId cell = has_piece[v.value] ? CellId() : cell_of_[face_at(work_.vertices[v].at)];
         if (!cell.valid()) {
-          find("point '" + given + "' lies outside the domain: dropped", point.where, point.at);
+          lose("point '" + given + "' lies outside the domain: dropped", point.where, point.at);
           continue;
         }
         out_.cells[cell].lone_points.push_back(vertex(v));
@@ -199,11 +203,11 @@ class Builder {
     for (const Region& region : work_.model.regions) {
       const CellId cell = cell_of_[face_at(region.at)];
       if (!cell.valid()) {
-        find("region '" + region.name + "' lies outside the domain: ignored", region.where, region.at);
+        lose("region '" + region.name + "' lies outside the domain: ignored", region.where, region.at);
         continue;
       }
       if (const Region* first = holder[cell.value]) {
-        find("regions '" + first->name + "' and '" + region.name + "' lie in one cell: the first names it",
+        lose("regions '" + first->name + "' and '" + region.name + "' lie in one cell: the first names it",
              region.where, region.at);
         continue;
       }

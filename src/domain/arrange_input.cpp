@@ -162,10 +162,8 @@ class Reader {
     route_.area = area(route_);
     double perimeter = 0;
     for (const DirectedCurve& use : route_.uses) perimeter += length(work_.pieces[use.curve].curve);
-    if (!(std::abs(route_.area) > 0.5 * work_.tolerance * perimeter)) {
-      fail("loop '" + route_.name + "' has no area: it needs three distinct points, in order round it", path.where,
-           first_point(path));
-    }
+    route_.is_flat = !(std::abs(route_.area) > 0.5 * work_.tolerance * perimeter);
+    route_.start = first_point(path);
     work_.routes.push_back(std::move(route_));
   }
 

@@ -131,7 +131,7 @@ class Merger {
         if (dropped++ == 0) at = work_.pieces[use.curve].curve.a;
       }
       if (dropped == route.uses.size()) {
-        work_.findings.push_back({"'" + route.name + "' has no length: dropped", route.where, at});
+        work_.findings.push_back({"'" + route.name + "' has no length: dropped", route.where, at, true});
       } else if (dropped > 0) {
         const std::string what = std::to_string(dropped) + (dropped == 1 ? " repeated point" : " repeated points");
         work_.findings.push_back({"'" + route.name + "' has " + what + ": dropped", route.where, at});

@@ -48,6 +48,8 @@ struct Route {
   std::string where{};
   double size = 0;                    ///< infinity: none
   double area = 0;                    ///< loops: signed, as given
+  bool is_flat = false;               ///< loops: no area to speak of
+  Point start{};                      ///< as given
   std::vector<DirectedCurve> uses{};  ///< pieces in order
 };
 

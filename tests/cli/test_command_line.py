@@ -119,7 +119,21 @@ class Usage(CommandLine):
         self.assert_fails(2, self.plate + ": would overwrite the model", "mesh", self.plate, "-o", self.plate)
         b = self.path("b.vtu")
         self.assert_fails(2, b + ": is given twice", "mesh", self.plate, "-o", b, "-o", b)
-        self.assert_fails(2, b + ": the format '.vtu' is unknown: use .svg", "draw", b, "-o", b)
+        self.assert_fails(2, b + ": is no picture: use .svg", "draw", b, "-o", b)
+        self.assert_fails(2, "/dev/stdout: the format '' is unknown: use .vtu, .msh, .inp, .svg or .json, or name the "
+                          "format: vtu:/dev/stdout", "mesh", self.plate, "-o", "/dev/stdout")
+        self.assert_fails(2, "standard output takes the mesh already: give --report FILE instead of --json",
+                          "mesh", self.plate, "-o", "vtu:/dev/stdout", "--json")
+
+    def test_slips_of_the_pen_are_named(self):
+        for words, message in [(["mesh", self.plate, "--sise", "3"], "unknown option '--sise': did you mean '--size'?"),
+                               (["mesh", self.plate, "--quite"], "unknown option '--quite': did you mean '--quiet'?"),
+                               (["check", "a.vtu", "--modle=m"], "unknown option '--modle': did you mean '--model'?"),
+                               (["info", self.plate, "--colour"], "unknown option '--colour': see 'quadline info --help'"),
+                               (["mehs"], "unknown command 'mehs': did you mean 'mesh'?"),
+                               (["frobnicate"], "unknown command 'frobnicate': see 'quadline --help'")]:
+            with self.subTest(words=words):
+                self.assert_fails(2, message, *words)
 
 
 class Mesh(CommandLine):
@@ -130,7 +144,8 @@ class Mesh(CommandLine):
         self.assert_done(done)
         self.assertEqual(done.stderr, "")
         self.assertRegex(done.stdout, r"\Aplate: \d+ quads, \d+ nodes, \d+\.\d\d s\n")
-        for word in ("beta, mean", "scaled Jacobian, least", "least angle", "irregular nodes"):
+        self.assertRegex(done.stdout, r"\non 1 line: (\d+) edges, (\d+) nodes\n")
+        for word in ("beta, mean", "scaled Jacobian, least", "least angle", "edge length / size, median", "irregular nodes"):
             self.assertIn(word, done.stdout)
         for name in names:
             self.assertIn("written: " + self.path(name) + "\n", done.stdout)
@@ -203,6 +218,45 @@ class Mesh(CommandLine):
         self.assertRegex(done.stderr, r"\Aquadline: [^\n]*twice\.json: /lines/1/path: note: [^\n]+ at \([^\n]*\)\n\Z")
         done = self.run_it("mesh", file, "-o", self.path("a.vtu"), "--quiet")
         self.assertEqual(done.stderr, "")
+
+    def test_what_the_mesh_lacks_is_told_even_when_quiet(self):
+        gone = {"lines": [{"name": "a", "path": [[20, 1], [21, 1]]}]}
+        trimmed = {"lines": [{"name": "a", "path": [[1 / 3, 2], [3, -2]]}]}
+        over_edge = {"holes": [{"center": [12, 4], "radius": 1}]}
+        for change, words in [(gone, r"/lines/0/path: warning: line 'a' lies outside the domain: dropped at \(20, 1\)"),
+                              (trimmed, r"/lines/0/path: warning: line 'a' leaves the domain: trimmed at \(\S+, \S+\)"),
+                              (over_edge, r"/holes/0: warning: 'hole-1' reaches over another loop: [^\n]+ at \(\S+, \S+\)"),
+                              ({"points": [{"name": "p", "at": [9, 5]}]}, r"/points/0: warning: point 'p' [^\n]+ at \(9, 5\)"),
+                              ({"regions": [{"name": "r", "at": [9, 5]}]}, r"/regions/0: warning: region 'r' [^\n]+")]:
+            with self.subTest(change=change):
+                file = self.put("m.json", dict(PLATE, **change))
+                done = self.run_it("mesh", file, "-o", self.path("a.vtu"), "--quiet")
+                self.assert_done(done)
+                self.assertEqual(done.stdout, "")
+                self.assertRegex(done.stderr, r"\Aquadline: [^\n]*m\.json: " + words + r"\n\Z")
+                self.assertTrue(json.loads(self.run_it("info", file, "--json").stdout)["findings"][0]["loss"])
+
+    def test_places_are_told_with_nine_digits(self):
+        file = self.put("m.json", dict(PLATE, points=[{"name": "p", "at": [12.123456789012345, 1 / 3]}]))
+        done = self.run_it("mesh", file, "--json")
+        self.assertIn(" at (12.1234568, 0.333333333)\n", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["findings"][0]["at"], [12.123456789012345, 1 / 3])
+
+    def test_a_loop_that_crosses_itself_is_told_where(self):
+        bow = [[1, 1], [5, 5], [5, 1], [1, 5]]  # its two halves cancel out: no area all in all
+        for model, place, name in [({"size": 1, "outer": bow}, "/outer", "outer-1"),
+                                   (dict(PLATE, holes=[bow]), "/holes/0", "hole-1")]:
+            file = self.put("bow.json", model)
+            self.assert_fails(2, file + ": " + place + ": loop '" + name + "' crosses itself: give its points in order "
+                              "round it at (3, 3)", "mesh", file, "--json")
+
+    def test_the_size_overrides_the_areas_of_a_poly(self):
+        file = self.put("areas.poly", POLY + "1\n1 2 1.5 7 0.01\n")
+        def count(size):
+            return json.loads(self.run_it("info", file, "--size", size, "--json").stdout)["expected_quads"]
+        self.assertAlmostEqual(count("1"), 12, 6)
+        done = self.run_it("mesh", file, "--size", "1", "--json")
+        self.assertLess(json.loads(done.stdout)["counts"]["quads"], 30)
 
     def test_poly_needs_a_size(self):
         file = self.put("square.poly", POLY)
@@ -351,7 +405,8 @@ class Check(CommandLine):
         self.assert_done(self.run_it("mesh", self.plate, "-o", out, "--quiet"))
         done = self.run_it("check", out, "--model", self.plate, "--all-quad")
         self.assert_done(done)
-        self.assertIn("valid: yes\n", done.stdout)
+        self.assertIn("valid: yes\nagainst the model: kept: " + self.plate + "\n", done.stdout)
+        self.assertNotIn("against the model", self.run_it("check", out).stdout)
         for word in ("beta", "scaled Jacobian", "least angle", "edge length", "irregular nodes"):
             self.assertIn(word, done.stdout)
         done = self.run_it("check", out, "--model", self.plate, "--json")

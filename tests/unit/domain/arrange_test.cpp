@@ -383,6 +383,8 @@ TEST(Arrange, CutsAwayHolesThatReachOverTheEdge) {
   expect_sound(domain);
   EXPECT_DOUBLE_EQ(area(domain), 60 - 4 - 3);
   EXPECT_EQ(count_findings(domain, "reaches over another loop"), 2u);
+  for (const Finding& finding : domain.findings)
+    EXPECT_EQ(finding.is_loss, finding.text.find("reaches") != std::string::npos);
 }
 
 TEST(Arrange, MakesVerticesOfPoints) {
@@ -467,6 +469,11 @@ TEST(ArrangeErrors, NameTheMeetingOfBadLoops) {
   Model model = plate();
   model.outer[0] = path({{0, 0}, {10, 6}, {10, 0}, {0, 4}});
   EXPECT_NE(error_of(model).find("loop 'outer-1' crosses itself"), std::string::npos);
+  model.outer[0] = path({{0, 0}, {4, 4}, {4, 0}, {0, 4}});  // its halves cancel out
+  EXPECT_NE(error_of(model).find("loop 'outer-1' crosses itself"), std::string::npos);
+  EXPECT_NE(error_of(model).find(" at (2, 2)"), std::string::npos);
+  model.outer[0] = path({{0, 0}, {4, 0}, {4, 4}, {4, 0}});  // there and back
+  EXPECT_NE(error_of(model).find("loop 'outer-1' has no area"), std::string::npos);
   model = plate();
   model.outer.push_back(path({{8, 4}, {14, 4}, {14, 8}, {8, 8}}));
   EXPECT_NE(error_of(model).find("loops 'outer-1' and 'outer-2' overlap"), std::string::npos);

@@ -1,5 +1,6 @@
 #include "io/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -105,6 +106,29 @@ TEST_F(AtomicFileTest, WritesToDevicesInPlace) {
   ASSERT_EQ(stat("/dev/null", &after), 0);
   EXPECT_TRUE(S_ISCHR(after.st_mode));
   EXPECT_EQ(after.st_ino, before.st_ino);
+}
+
+TEST_F(AtomicFileTest, GoesOnWhereAnOpenDescriptorStands) {
+  const fs::path file = folder_ / "log";
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_EQ(write(descriptor, "before ", 7), 7);
+  write_atomically("/dev/fd/" + std::to_string(descriptor), "mesh");
+  ASSERT_EQ(write(descriptor, " after", 6), 6);
+  EXPECT_EQ(get(file), "before mesh after");
+  close(descriptor);
+  EXPECT_NE(failure("/dev/fd/" + std::to_string(descriptor)).find("cannot be written"), std::string::npos);
+}
+
+TEST_F(AtomicFileTest, WritesToAPipe) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  write_atomically("/proc/self/fd/" + std::to_string(ends[1]), "mesh");
+  char text[5] = {};
+  EXPECT_EQ(read(ends[0], text, 4), 4);
+  EXPECT_STREQ(text, "mesh");
+  EXPECT_NE(failure("/dev/fd/" + std::to_string(ends[0])).find("Bad file descriptor"), std::string::npos);
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST_F(AtomicFileTest, FollowsLinks) {

@@ -366,17 +366,26 @@ class MeshFiles : public testing::Test {
 TEST_F(MeshFiles, EveryFormatIsWrittenAndReadBack) {
   const Mesh mesh = shapes::plate_with_lines();
   for (const char* name : {"a.vtu", "a.msh", "a.inp", "a.json", "A.VTU"}) {
-    EXPECT_TRUE(is_mesh_format(name));
-    write_mesh(mesh, folder_ / name);
+    write_mesh(mesh, mesh_file(folder_ / name));
     EXPECT_EQ(read_mesh(folder_ / name).quads.size(), mesh.quads.size()) << name;
   }
-  write_mesh(mesh, folder_ / "a.svg");
+  write_mesh(mesh, mesh_file(folder_ / "a.svg"));
   EXPECT_GT(std::filesystem::file_size(folder_ / "a.svg"), 1000u);
 }
 
+TEST_F(MeshFiles, TheFormatMayBeNamed) {
+  EXPECT_EQ(mesh_file("a.INP").format, "inp");
+  EXPECT_EQ(mesh_file("msh:/dev/stdout").format, "msh");
+  EXPECT_EQ(mesh_file("msh:/dev/stdout").path, "/dev/stdout");
+  EXPECT_EQ(mesh_file("msh:a.vtu").format, "msh");
+  EXPECT_EQ(mesh_file("./msh:a.vtu").format, "vtu");
+  EXPECT_EQ(mesh_file("dxf:a.vtu").path, "dxf:a.vtu");
+  EXPECT_THROW(mesh_file("dxf:a"), InputError);
+  EXPECT_THROW(mesh_file(""), InputError);
+}
+
 TEST_F(MeshFiles, WhatIsNoMeshIsRefused) {
-  EXPECT_FALSE(is_mesh_format("a.step"));
-  EXPECT_THROW(write_mesh(shapes::mixed(), folder_ / "a.step"), InputError);
+  EXPECT_THROW(mesh_file("a.step"), InputError);
   EXPECT_THROW(read_mesh(folder_ / "missing.vtu"), InputError);
   EXPECT_THROW(read_mesh(folder_), InputError);
   std::ofstream(folder_ / "empty.vtu").flush();
@@ -388,7 +397,7 @@ TEST_F(MeshFiles, WhatIsNoMeshIsRefused) {
 TEST_F(MeshFiles, ArraysThatDoNotFitAreADefect) {
   Mesh mesh = shapes::mixed();
   mesh.quads[0][2] = 6;
-  EXPECT_THROW(write_mesh(mesh, folder_ / "a.vtu"), InternalError);
+  EXPECT_THROW(write_mesh(mesh, mesh_file("a.vtu")), InternalError);
 }
 
 }  // namespace
