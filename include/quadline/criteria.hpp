@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quadline/mesh.hpp"
+
+namespace quadline {
+
+/// Limits on the quads of a mesh; an empty one is not looked at. A value equal to its limit passes.
+struct Criteria {
+  std::optional<double> min_angle_deg{};        ///< of every corner, degrees
+  std::optional<double> max_angle_deg{};        ///< of every corner, degrees
+  std::optional<double> max_aspect{};           ///< longest over shortest edge
+  std::optional<double> min_scaled_jacobian{};  ///< least sine of a corner, signed [Knupp2001]
+  std::optional<double> min_jacobian_ratio{};   ///< least over greatest Jacobian of the corners; HyperMesh's "Jacobian"
+  std::optional<double> max_skew_deg{};         ///< 90 degrees less the angle between the lines of opposite mid-sides
+  std::optional<double> max_taper{};            ///< 1 - least area of a corner's triangle over half the quad's area
+  std::optional<double> min_beta{};             ///< distortion coefficient [Lee2003 eqs 1, 2]
+  std::optional<double> min_edge{};             ///< shortest edge, model units
+  std::optional<double> max_edge{};             ///< longest edge, model units
+  std::optional<double> min_edge_to_size{};     ///< shortest edge over the target size
+  std::optional<double> max_edge_to_size{};     ///< longest edge over the target size
+};
+
+/// One limit of `Criteria` by its name.
+struct CriteriaField {
+  std::string_view name;
+  std::optional<double> Criteria::* limit;
+  bool is_least;  ///< values below it fail, not values above
+  bool to_size;   ///< needs the target size
+};
+
+/// All limits, in the order of the struct.
+const std::vector<CriteriaField>& criteria_fields();
+
+/// "csr-fine" or "hypermesh-10mm" (docs/measures.md gives figures and sources); empty for any other name.
+std::optional<Criteria> named_criteria(std::string_view name);
+
+/// A quad beyond a limit.
+struct FailingQuad {
+  std::size_t quad = 0;  ///< index into Mesh::quads
+  Point at;              ///< mean of its corners
+  double value = 0;
+};
+
+/// How a mesh stands to one limit.
+struct LimitResult {
+  std::string_view name;
+  double limit = 0;
+  bool is_checked = true;  ///< false: the limit is over the target size, which is unknown
+  std::size_t n_failing = 0;
+  std::vector<FailingQuad> worst;  ///< up to five, the worst first, equal ones by index
+};
+
+struct CriteriaResult {
+  std::size_t n_failing = 0;  ///< quads that fail at least one limit
+  std::vector<LimitResult> limits;
+};
+
+/// Holds the quads of a mesh against limits; triangles are not looked at.
+/// @param size  target size of the mesh, model units, > 0; empty: limits over it are not checked.
+/// Cost O(quads).
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size = {});
+
+}  // namespace quadline

@@ -1,0 +1,130 @@
+#include "quadline/criteria.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geom/element.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr std::size_t kWorst = 5;
+constexpr double kRoundOff = 1e-12;  // relative; a right angle computed as 90 - 1e-14 is not below 90
+
+double skew_deg(const QuadPoints& p) {
+  const Point u = p[1] + p[2] - p[3] - p[0], v = p[2] + p[3] - p[0] - p[1];
+  return 90 - std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegrees;
+}
+
+// The values of one quad in the order of `criteria_fields`; lengths over the size are filled in by the caller.
+std::array<double, 12> values_of(const QuadPoints& p) {
+  double low = 360, high = 0, shortest = distance(p[0], p[1]), longest = 0;
+  std::array<double, 4> area{};  // twice that of the triangle at each corner: the Jacobian there
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point before = p[(i + 3) % 4], after = p[(i + 1) % 4];
+    const double angle = corner_angle(before, p[i], after) * kDegrees, length = distance(p[i], after);
+    low = std::min(low, angle);
+    high = std::max(high, angle);
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+    area[i] = twice_area(before, p[i], after);
+  }
+  const auto [least, most] = std::minmax_element(area.begin(), area.end());
+  const double quad_area = area[0] + area[2];  // twice
+  return {low,
+          high,
+          shortest > 0 ? longest / shortest : 1e12,
+          scaled_jacobian(p),
+          *most > 0 ? *least / *most : -1,
+          skew_deg(p),
+          quad_area > 0 ? 1 - 2 * *least / quad_area : 1,
+          quad_distortion(p),
+          shortest,
+          longest,
+          shortest,
+          longest};
+}
+
+void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool is_least) {
+  const auto is_worse = [&](const FailingQuad& a, const FailingQuad& b) {
+    return is_least ? a.value < b.value : a.value > b.value;
+  };
+  worst.insert(std::upper_bound(worst.begin(), worst.end(), quad, is_worse), quad);
+  if (worst.size() > kWorst) worst.pop_back();
+}
+
+}  // namespace
+
+const std::vector<CriteriaField>& criteria_fields() {
+  static const std::vector<CriteriaField> fields{{"min_angle_deg", &Criteria::min_angle_deg, true, false},
+                                                 {"max_angle_deg", &Criteria::max_angle_deg, false, false},
+                                                 {"max_aspect", &Criteria::max_aspect, false, false},
+                                                 {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false},
+                                                 {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false},
+                                                 {"max_skew_deg", &Criteria::max_skew_deg, false, false},
+                                                 {"max_taper", &Criteria::max_taper, false, false},
+                                                 {"min_beta", &Criteria::min_beta, true, false},
+                                                 {"min_edge", &Criteria::min_edge, true, false},
+                                                 {"max_edge", &Criteria::max_edge, false, false},
+                                                 {"min_edge_to_size", &Criteria::min_edge_to_size, true, true},
+                                                 {"max_edge_to_size", &Criteria::max_edge_to_size, false, true}};
+  return fields;
+}
+
+std::optional<Criteria> named_criteria(std::string_view name) {
+  Criteria c;
+  if (name == "csr-fine") {
+    c.min_angle_deg = 45;
+    c.max_angle_deg = 135;
+    c.max_aspect = 3;
+    return c;
+  }
+  if (name != "hypermesh-10mm") return std::nullopt;
+  c.min_angle_deg = 40;
+  c.max_angle_deg = 140;
+  c.max_aspect = 5;
+  c.min_jacobian_ratio = 0.6;
+  c.max_skew_deg = 40;
+  c.max_taper = 0.6;
+  c.min_edge_to_size = 0.2;
+  c.max_edge_to_size = 2;
+  return c;
+}
+
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size) {
+  CriteriaResult result;
+  std::vector<std::size_t> asked;
+  const auto& fields = criteria_fields();
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const auto& limit = criteria.*fields[f].limit;
+    if (!limit) continue;
+    asked.push_back(f);
+    result.limits.push_back({fields[f].name, *limit, size || !fields[f].to_size, 0, {}});
+  }
+  for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
+    const auto& q = mesh.quads[i];
+    const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
+    const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
+    const auto values = values_of(p);
+    bool fails = false;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      const CriteriaField& field = fields[asked[k]];
+      LimitResult& limit = result.limits[k];
+      if (!limit.is_checked) continue;
+      const double value = values[asked[k]] / (field.to_size ? *size : 1);
+      const double beyond = field.is_least ? limit.limit - value : value - limit.limit;
+      if (beyond <= kRoundOff * std::abs(limit.limit)) continue;
+      fails = true;
+      ++limit.n_failing;
+      keep_worst(limit.worst, {i, center, value}, field.is_least);
+    }
+    result.n_failing += fails;
+  }
+  return result;
+}
+
+}  // namespace quadline
