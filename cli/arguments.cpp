@@ -116,6 +116,9 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   check->add_option("--model", arguments.model, "check too that the mesh keeps what this model asks for")
       ->type_name("MODEL");
   check->add_flag("--all-quad", arguments.all_quad, "triangles make the mesh invalid");
+  check->add_option("--criteria", arguments.criteria, "count the quads beyond these limits, and name the worst")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"csr-fine", "hypermesh-10mm"}));
   check->add_flag("--json", arguments.json, "print JSON instead of the table");
   return check;
 }

@@ -27,6 +27,7 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::filesystem::path model;  ///< empty: the mesh by itself
   bool all_quad = false;        ///< triangles make it invalid
+  std::string criteria;         ///< name of a set of limits; empty: none
   bool json = false;
 };
 

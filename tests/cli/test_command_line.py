@@ -409,6 +409,13 @@ class Check(CommandLine):
         self.assertNotIn("against the model", self.run_it("check", out).stdout)
         for word in ("beta", "scaled Jacobian", "least angle", "edge length", "irregular nodes"):
             self.assertIn(word, done.stdout)
+        done = self.run_it("check", out, "--criteria", "csr-fine", "--json")
+        criteria = json.loads(done.stdout)["criteria"]
+        self.assertEqual({limit["name"]: limit["limit"] for limit in criteria["limits"]},
+                         {"min_angle_deg": 45, "max_angle_deg": 135, "max_aspect": 3})
+        self.assertEqual(criteria["failing"], 0)
+        self.assertIn("csr-fine: 0 quads fail", self.run_it("check", out, "--criteria", "csr-fine").stdout)
+        self.assert_fails(2, "fine-csr", "check", out, "--criteria", "fine-csr")
         done = self.run_it("check", out, "--model", self.plate, "--json")
         self.assert_done(done)
         verdict = json.loads(done.stdout)

@@ -200,6 +200,18 @@ TEST(Discretize, OppositeSidesOfFourSidedCellsGetEqualCounts) {
   }
 }
 
+TEST(Discretize, TheWalkOfAnLHasEqualCountsInOppositeDirections) {
+  // Wishes 6.2, 2.1, 3.3, 1.8, 2.9, 3.9: rounded one by one, right to left would have seven against six.
+  const Domain domain = shapes::Builder({{0, 0}, {6.2, 0}, {6.2, 2.1}, {3.4, 2.1}, {3.4, 3.9}, {0, 3.9}},
+                                        {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}}, 1)
+                            .build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  const std::vector<unsigned> n = counts(domain, mesh);
+  EXPECT_EQ(n[0], n[2] + n[4]);
+  EXPECT_EQ(n[5], n[1] + n[3]);
+}
+
 TEST(Discretize, ChordsNearOtherCurvesAreRefinedUntilTheyDoNotCross) {
   // A line passes over a large arc at a hundredth of the height of one of its chords.
   const double r = 10, h = 4;
