@@ -27,7 +27,7 @@ constexpr std::size_t kTriesBroken = 8;  // where something must be mended
 // What an edit may lose.
 constexpr double kFloor = 0.4;  // the least scaled Jacobian may fall by kMayLose, but not below this
 constexpr double kMayLose = 0.2;
-constexpr double kBetaMayLose = 0.12;  // of the mean beta of the cavity and the quads round it
+constexpr double kBetaMayLose = 0.08;  // of the mean beta of the cavity and the quads round it
 constexpr double kBetaHopeless = 0.2;  // the same after the first sweep of smoothing
 constexpr double kSizeSpread = 0.15;   // see PatchQuality; never refused below it
 
