@@ -1,6 +1,7 @@
 #include "cli/interrupt.hpp"
 
 #include <signal.h>
+#include <unistd.h>
 
 #include <atomic>
 
@@ -12,7 +13,12 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 
-void remember(int) { interrupted = true; }
+// The signal may come just before a call that waits, for a pipe that never speaks: the alarm comes again and again and
+// ends that call too.
+void remember(int) {
+  interrupted = true;
+  ::alarm(1);
+}
 
 }  // namespace
 
@@ -22,6 +28,7 @@ void watch_for_interrupts() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGALRM, &action, nullptr);
 }
 
 bool is_interrupted() { return interrupted; }

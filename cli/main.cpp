@@ -20,7 +20,7 @@ void fill_closed_descriptors() {
     if (::fcntl(i, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
 }
 
-constexpr const char* kNoMemory = "not enough memory: choose a larger size";
+constexpr const char* kNoMemory = "not enough memory: a mesh with a larger size takes less";
 
 int fail(const std::string& message, int exit_code) {
   // What a signal broke off, it broke off: the error that came of it is not the news.

@@ -89,13 +89,9 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::write(std::string_view bytes) {
   if (file_ < 0) open_in_place();
   while (!bytes.empty()) {
-    const std::size_t wanted = std::min(bytes.size(), std::size_t{1} << 30);
-    const ssize_t written = ::write(file_, bytes.data(), wanted);
-    if (written < 0 && (errno != EINTR || is_stream_)) fail(errno);
-    if (written <= 0) continue;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-    // A pipe takes less than it was given only where a signal came: to try again could wait for ever.
-    if (is_stream_ && static_cast<std::size_t>(written) < wanted) fail(EINTR);
+    const ssize_t written = ::write(file_, bytes.data(), std::min(bytes.size(), std::size_t{1} << 30));
+    if (written < 0 && (errno != EINTR || is_stream_)) fail(errno);  // the reader of a stream may never come
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
   }
 }
 

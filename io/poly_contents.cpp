@@ -17,7 +17,9 @@ namespace {
 /// The lines of a file that hold something, as words. A comment goes from '#' to the end of its line.
 class Lines {
  public:
-  Lines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+  Lines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // the byte order mark of some editors
+  }
 
   /// Moves to the next line with words; false at the end of the file.
   bool advance() {

@@ -6,10 +6,8 @@
 int main() {
   quadline::Model model;
   model.size = 0.2;
-  model.outer = {{.items = {{{0, 0}, {}}, {{6, 0}, {}}, {{6, 4}, {}}, {{0, 4}, {}}}, .circle = {}, .where = "outer"}};
-  model.lines = {{.name = "stiffener",
-                  .path = {.items = {{{1, 2}, {}}, {{5, 2}, {}}}, .circle = {}, .where = "stiffener"},
-                  .size = {}}};
+  model.outer = {{.items = {{{0, 0}}, {{6, 0}}, {{6, 4}}, {{0, 4}}}}};
+  model.lines = {{.name = "stiffener", .path = {.items = {{{1, 2}}, {{5, 2}}}}}};
   quadline::Context context;
   try {
     const quadline::MeshResult result = quadline::generate(model, {}, context);

@@ -86,7 +86,10 @@ class Reader {
     if (path.circle) {
       const Circle& circle = *path.circle;
       check_point(circle.center, path.where);
-      if (!(circle.radius > 0 && circle.radius <= kLargest)) {
+      if (circle.radius > kLargest && std::isfinite(circle.radius)) {
+        fail("the radius of a circle is larger than 1e60: use other units", path.where, circle.center);
+      }
+      if (!(circle.radius > 0 && std::isfinite(circle.radius))) {
         fail("the radius of a circle is not a positive number", path.where, circle.center);
       }
       return;

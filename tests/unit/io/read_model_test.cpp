@@ -181,6 +181,15 @@ TEST(ReadModelJson, EveryErrorIsOneLine) {
   EXPECT_EQ(message_of("{\"a\n").find('\n'), std::string::npos);
 }
 
+TEST(ReadModelPoly, ErrorsAreUtf8WhateverTheFileHolds) {
+  try {
+    read_model_poly("4 2\n\xE9\x1B[m\xC3\xA9 0 0\n", "m.poly");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "m.poly: line 2: expected the number of a vertex, found '? [m\xC3\xA9'");
+  }
+}
+
 TEST(ReadModelJson, TruncatedFilesAreErrorsEverywhere) {
   const std::string whole =
       with("\"lines\": [{\"name\": \"a\", \"path\": [[0, 1], {\"to\": [4, 1], \"via\": [2, 2]}]}]");
