@@ -60,10 +60,11 @@ struct Attempt {
   double refinement;  // of all sizes
   const char* what;
 };
-constexpr std::array<Attempt, 4> kAttempts{{{false, 1, "as asked"},
+constexpr std::array<Attempt, 5> kAttempts{{{false, 1, "as asked"},
                                             {true, 1, "with the other triangles"},
                                             {false, 0.75, "with sizes 0.75 of those asked"},
-                                            {true, 0.5, "with the other triangles and half the sizes"}}};
+                                            {true, 0.5, "with the other triangles and half the sizes"},
+                                            {false, 0.35, "with sizes 0.35 of those asked"}}};
 
 Domain refined(Domain domain, double factor) {
   domain.size *= factor;

@@ -415,7 +415,7 @@ class Check(CommandLine):
                          {"min_angle_deg": 45, "max_angle_deg": 135, "max_aspect": 3})
         self.assertEqual(criteria["failing"], 0)
         self.assertIn("csr-fine: 0 quads fail", self.run_it("check", out, "--criteria", "csr-fine").stdout)
-        self.assert_fails(2, "fine-csr", "check", out, "--criteria", "fine-csr")
+        self.assert_fails(2, "--criteria: fine-csr not in {csr-fine,hypermesh-10mm}: see 'quadline --help'", "check", out, "--criteria", "fine-csr")
         done = self.run_it("check", out, "--model", self.plate, "--json")
         self.assert_done(done)
         verdict = json.loads(done.stdout)

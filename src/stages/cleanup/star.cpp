@@ -16,7 +16,8 @@ constexpr double kFlat = 0.02;       // corner area, relative to the squares of 
 constexpr double kSoftening = 0.1;   // e, in the same unit
 constexpr double kSmallStep = 1e-8;  // squared, in the same unit: not worth while
 constexpr int kHalvings = 4;
-constexpr double kSize = 0.3;  // of the stretch of an edge, beside 1 for the shape of a corner
+constexpr double kSize = 0.3;   // of the stretch of an edge, beside 1 for the shape of a corner
+constexpr double kOffSize = 6;  // squared edges so many times off: the geometry rules there, not the size
 
 // chi and its slope in the place of the area; plain areas where nothing is near flat.
 struct Plain {
@@ -43,14 +44,20 @@ struct Corners {
         previous{p - q.previous, q.opposite - q.previous} {}
 };
 
+// How far an edge is from its target size: n + 1 / n with n its square over the target's, times a weight.
+struct Stretch {
+  double size2, weight;
+  double of(Point edge) const { return weight * (norm2(edge) / size2 + size2 / norm2(edge)); }
+};
+
 template <class Chi>
-double energy(Point p, std::span<const StarQuad> star, double size2, Chi chi) {
+double energy(Point p, std::span<const StarQuad> star, const Stretch& stretch, Chi chi) {
   double sum = 0;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const double a = chi.chi(c.own.area()), b = chi.chi(c.next.area()), d = chi.chi(c.previous.area());
     if (a <= 0 || b <= 0 || d <= 0) return kInfinity;
-    for (const Point e : {c.own.u, c.own.v}) sum += kSize * (norm2(e) / size2 + size2 / norm2(e));
+    if (stretch.weight > 0) sum += stretch.of(c.own.u) + stretch.of(c.own.v);
     sum += c.own.squares() / a + c.next.squares() / b + c.previous.squares() / d;
   }
   return sum;
@@ -61,12 +68,12 @@ struct Newton {
   Point gradient;
   double xx = 0, xy = 0, yy = 0;
 
-  // Adds the stretch of an edge from the node, as n + 1 / n with n its square over the target's.
-  void add_size(Point edge, double size2) {
-    const double n2 = norm2(edge), inverse = size2 / (n2 * n2), first = 1 / size2 - inverse;
-    value += kSize * (n2 / size2 + size2 / n2);
-    gradient += (-2 * kSize * first) * edge;
-    const double bend = 2 * kSize * std::max(first, 0.0), cube = 8 * kSize * inverse / n2;
+  // Adds the stretch of an edge from the node.
+  void add_stretch(Point edge, const Stretch& stretch) {
+    const double n2 = norm2(edge), inverse = stretch.size2 / (n2 * n2), first = 1 / stretch.size2 - inverse;
+    value += stretch.of(edge);
+    gradient += (-2 * stretch.weight * first) * edge;
+    const double bend = 2 * stretch.weight * std::max(first, 0.0), cube = 8 * stretch.weight * inverse / n2;
     xx += bend + cube * edge.x * edge.x;
     xy += cube * edge.x * edge.y;
     yy += bend + cube * edge.y * edge.y;
@@ -87,13 +94,15 @@ struct Newton {
 };
 
 template <class Chi>
-Point newton_step(Point p, std::span<const StarQuad> star, double unit, double size2, Chi chi) {
+Point newton_step(Point p, std::span<const StarQuad> star, double unit, const Stretch& stretch, Chi chi) {
   Newton sum;
   for (const StarQuad& q : star) {
     const Corners c(p, q);
     const Point u = c.own.u, v = c.own.v;
-    sum.add_size(u, size2);
-    sum.add_size(v, size2);
+    if (stretch.weight > 0) {
+      sum.add_stretch(u, stretch);
+      sum.add_stretch(v, stretch);
+    }
     const Point ahead = c.next.u, back = c.previous.v;
     sum.add(c.own, chi, -2.0 * (u + v), 4, {u.y - v.y, v.x - u.x});
     sum.add(c.next, chi, 2.0 * c.next.v, 2, {-ahead.y, ahead.x});
@@ -107,7 +116,7 @@ Point newton_step(Point p, std::span<const StarQuad> star, double unit, double s
   double t = 1;
   for (int i = 0; i < kHalvings; ++i, t *= 0.5) {
     const Point trial = p + t * step;
-    if (energy(trial, star, size2, chi) < sum.value) return trial;
+    if (energy(trial, star, stretch, chi) < sum.value) return trial;
   }
   return p;
 }
@@ -122,9 +131,11 @@ Point better_place(Point p, std::span<const StarQuad> star, double size) {
     squares += c.own.squares();
   }
   const double unit = squares / (2 * static_cast<double>(star.size()));
-  if (least > kFlat * unit) return newton_step(p, star, unit, size * size, Plain{});
+  const double size2 = size * size;
+  const bool is_near = unit < kOffSize * size2 && size2 < kOffSize * unit;
+  if (least > kFlat * unit) return newton_step(p, star, unit, {size2, is_near ? kSize : 0}, Plain{});
   const double e = kSoftening * unit;
-  return newton_step(p, star, unit, size * size, Soft{e * e});
+  return newton_step(p, star, unit, {size2, 0}, Soft{e * e});
 }
 
 }  // namespace quadline::cleanup

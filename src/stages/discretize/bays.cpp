@@ -131,7 +131,7 @@ void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes
       if (factors[c].count == 0) continue;
       const double l = original[c].length;
       const double factor = factors[c].count == 1 ? factors[c].product : std::sqrt(factors[c].product);
-      wishes[c].length = std::clamp(wishes[c].length * factor, l / kMostEvened, l * kMostEvened);
+      wishes[c].length = std::clamp(wishes[c].length * factor, l / kMostCoarsened, l * kMostRefined);
     }
   }
 }

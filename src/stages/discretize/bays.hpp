@@ -27,9 +27,9 @@ std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWi
 void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes);
 
 /// Brings the wished lengths of opposite sides of bays together, from bay to bay, so that they round to the same
-/// counts. No wish changes by more than the factor `kMostEvened`. O(n).
+/// counts. No wish falls by more than the factor `kMostCoarsened`, or rises by more than `kMostRefined`. O(n).
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes);
 
-inline constexpr double kMostEvened = 1.25;
+inline constexpr double kMostRefined = 1.25, kMostCoarsened = 1.08;
 
 }  // namespace quadline

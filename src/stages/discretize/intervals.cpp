@@ -1,5 +1,7 @@
 #include "stages/discretize/intervals.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "stages/discretize/bays.hpp"
@@ -30,6 +32,8 @@ void fill_smallest_cells(const Domain& domain, const IdVector<CurveId, CountWish
 }  // namespace
 
 IdVector<CurveId, std::uint32_t> choose_counts(const Domain& domain, IdVector<CurveId, CountWish> wishes) {
+  for (CountWish& wish : wishes.raw())  // what a line or a gap asks for must hold
+    wish.least = std::max(wish.least, static_cast<std::uint32_t>(std::min(wish.length, 1e9) / kMostCoarsened));
   widen_triangles(domain, wishes);
   const std::vector<Bay> bays = find_bays(domain, wishes);
   even_out(bays, wishes);
