@@ -73,6 +73,13 @@ void add_arrangement_options(CLI::App& app, Options& options) {
       "a number of 4 or more", set_per_circle);
 }
 
+void add_criteria(CLI::App& app, std::string& criteria) {
+  app.add_option(
+         "--criteria", criteria,
+         "count the quads beyond limits, and name the worst: csr-fine, hypermesh-10mm, or a JSON file of limits")
+      ->type_name("NAME");
+}
+
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App* mesh = app.add_subcommand("mesh", "Mesh a model with quadrilaterals");
   add_model(*mesh, arguments.model);
@@ -104,6 +111,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("DIR");
   mesh->add_option("--report", arguments.report, "write counts, quality, seconds and memory into this JSON file")
       ->type_name("FILE");
+  add_criteria(*mesh, arguments.criteria);
   mesh->add_flag("--json", arguments.json, "print the report instead of the table");
   mesh->add_flag("--quiet", arguments.quiet, "print nothing but errors and what of the model was dropped");
   mesh->add_flag("--keep-bad", arguments.keep_bad, "write the mesh even if it breaks the promise; exits with 3 still");
@@ -116,9 +124,7 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   check->add_option("--model", arguments.model, "check too that the mesh keeps what this model asks for")
       ->type_name("MODEL");
   check->add_flag("--all-quad", arguments.all_quad, "triangles make the mesh invalid");
-  check->add_option("--criteria", arguments.criteria, "count the quads beyond these limits, and name the worst")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"csr-fine", "hypermesh-10mm"}));
+  add_criteria(*check, arguments.criteria);
   check->add_flag("--json", arguments.json, "print JSON instead of the table");
   return check;
 }

@@ -15,6 +15,7 @@ struct MeshArguments {
   std::vector<std::string> outputs;  ///< as `mesh_file` takes them
   std::filesystem::path stages;      ///< folder for a snapshot after every stage; empty: none
   std::filesystem::path report;      ///< empty: none
+  std::string criteria;              ///< as `read_criteria` takes them; empty: none
   Options options;
   unsigned threads = 1;
   double max_quads = 50e6;  ///< refuse what is expected to become larger
@@ -27,7 +28,7 @@ struct CheckArguments {
   std::filesystem::path mesh;
   std::filesystem::path model;  ///< empty: the mesh by itself
   bool all_quad = false;        ///< triangles make it invalid
-  std::string criteria;         ///< name of a set of limits; empty: none
+  std::string criteria;         ///< as `read_criteria` takes them; empty: none
   bool json = false;
 };
 

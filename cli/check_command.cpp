@@ -4,14 +4,15 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/criteria_table.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/quality_table.hpp"
 #include "domain/arrange.hpp"
 #include "io/mesh_faults.hpp"
 #include "io/mesh_io.hpp"
+#include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
-#include "quadline/criteria.hpp"
 #include "stages/verify/fit_to_model.hpp"
 #include "stages/verify/verify.hpp"
 
@@ -26,9 +27,9 @@ struct Verdict {
   Mesh mesh;
   Quality quality;
   std::vector<MeshFault> faults;
-  bool all_quad = false;          ///< asked for
-  std::optional<Failure> broken;  ///< of what the model asks for
-  std::optional<CriteriaResult> criteria;
+  bool all_quad = false;                   ///< asked for
+  std::optional<Failure> broken;           ///< of what the model asks for
+  std::optional<CriteriaResult> criteria;  ///< what fails of them
 
   bool is_valid() const {
     for (const MeshFault& fault : faults)
@@ -41,48 +42,24 @@ Verdict verdict_on(const CheckArguments& arguments) {
   Verdict verdict;
   Context context;
   context.is_cancelled = is_interrupted;
+  std::optional<Criteria> criteria;
+  if (!arguments.criteria.empty()) criteria = read_criteria(arguments.criteria);
+  std::optional<double> size;
   std::optional<Domain> domain;
   if (!arguments.model.empty()) {
     Model model = read_model(arguments.model);
     Options options;
-    if (!(model.size > 0)) options.size = 1;  // whether the mesh fits the model does not depend on the size
+    if (model.size > 0) size = model.size;
+    if (!size) options.size = 1;  // whether the mesh fits the model does not depend on the size
     domain = arrange(model, options, context);
   }
   verdict.mesh = read_mesh(arguments.mesh);
   verdict.quality = measure(verdict.mesh);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
-  if (!arguments.criteria.empty()) verdict.criteria = evaluate(verdict.mesh, *named_criteria(arguments.criteria));
+  if (criteria) verdict.criteria = evaluate(verdict.mesh, *criteria, size);
   if (domain) verdict.broken = verify(fit_to_model(verdict.mesh, *domain), *domain, context);
   return verdict;
-}
-
-std::string text_of(const CriteriaResult& result, const std::string& name) {
-  std::string out = name + ": " + counted(result.n_failing, "quad fails", "quads fail") + '\n';
-  for (const LimitResult& limit : result.limits) {
-    out += "  " + std::string(limit.name) + ' ' + rounded(limit.limit, 4) + ": ";
-    out += limit.is_checked ? std::to_string(limit.n_failing) : "not checked, the target size is unknown";
-    for (const FailingQuad& quad : limit.worst)
-      out += "\n    quad " + std::to_string(quad.quad + 1) + ": " + rounded(quad.value, 4) + " at (" +
-             rounded(quad.at.x, 6) + ", " + rounded(quad.at.y, 6) + ')';
-    out += '\n';
-  }
-  return out;
-}
-
-Json json_of(const CriteriaResult& result, const std::string& name) {
-  Json limits = Json::array();
-  for (const LimitResult& limit : result.limits) {
-    Json worst = Json::array();
-    for (const FailingQuad& quad : limit.worst)
-      worst.push_back({{"quad", quad.quad + 1}, {"at", quadline::json_of(quad.at)}, {"value", quad.value}});
-    limits.push_back({{"name", std::string(limit.name)},
-                      {"limit", limit.limit},
-                      {"checked", limit.is_checked},
-                      {"failing", limit.n_failing},
-                      {"worst", worst}});
-  }
-  return {{"name", name}, {"failing", result.n_failing}, {"limits", limits}};
 }
 
 std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
@@ -103,7 +80,7 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
   out += quality_table(verdict.quality);
-  return verdict.criteria ? out + text_of(*verdict.criteria, arguments.criteria) : out;
+  return verdict.criteria ? out + criteria_table(arguments.criteria, *verdict.criteria) : out;
 }
 
 Json json_of(const Verdict& verdict, const CheckArguments& arguments) {
@@ -119,7 +96,7 @@ Json json_of(const Verdict& verdict, const CheckArguments& arguments) {
     out["model"] = {{"file", arguments.model.string()}, {"kept", !verdict.broken}, {"broken", broken}};
   }
   out["quality"] = quadline::json_of(verdict.quality);
-  if (verdict.criteria) out["criteria"] = json_of(*verdict.criteria, arguments.criteria);
+  if (verdict.criteria) out["criteria"] = quadline::json_of(*verdict.criteria, arguments.criteria);
   return out;
 }
 

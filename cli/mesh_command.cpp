@@ -9,12 +9,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/criteria_table.hpp"
 #include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/quality_table.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
+#include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
 
@@ -152,6 +154,7 @@ std::string summary(const Run& run) {
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
   out += on_lines(run.result.mesh);
   out += before_and_after(report.before_smoothing, report.quality);
+  if (!run.criteria_name.empty()) out += criteria_table(run.criteria_name, run.criteria);
   for (const fs::path& file : run.files) out += "written: " + file.string() + '\n';
   return out;
 }
@@ -168,6 +171,9 @@ int run(const MeshArguments& arguments) {
   run.options = arguments.options;
   run.threads = arguments.threads;
   check_size_given(run.model, run.options);
+  std::optional<Criteria> criteria;
+  if (!arguments.criteria.empty()) criteria = read_criteria(arguments.criteria);
+  run.criteria_name = arguments.criteria;
   std::optional<Snapshots> snapshots;
   if (!arguments.stages.empty()) snapshots.emplace(arguments.stages);
   ProgressBar bar(!arguments.quiet);
@@ -183,6 +189,8 @@ int run(const MeshArguments& arguments) {
   run.result = generate(run.model, arguments.options, context);
   watch.leave();
   watch.correct(run.result.report.stages);
+
+  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.options.size.value_or(run.model.size));
 
   const auto& failure = run.result.failure;
   const bool writes = !failure || arguments.keep_bad;

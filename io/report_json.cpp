@@ -61,6 +61,21 @@ Json json_of(const std::vector<Finding>& findings) {
   return out;
 }
 
+Json json_of(const CriteriaResult& result, const std::string& name) {
+  Json limits = Json::array();
+  for (const LimitResult& limit : result.limits) {
+    Json worst = Json::array();
+    for (const FailingQuad& quad : limit.worst)
+      worst.push_back({{"quad", quad.quad + 1}, {"at", json_of(quad.at)}, {"value", quad.value}});
+    limits.push_back({{"name", std::string(limit.name)},
+                      {"limit", limit.limit},
+                      {"checked", limit.is_checked},
+                      {"failing", limit.n_failing},
+                      {"worst", worst}});
+  }
+  return {{"name", name}, {"failing", result.n_failing}, {"limits", limits}};
+}
+
 std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 std::string report_json(const Run& run) {
@@ -72,29 +87,30 @@ std::string report_json(const Run& run) {
   for (const auto& file : run.files) files.push_back(file.string());
   std::size_t peak = 0;
   for (const StageUse& use : run.stages) peak = std::max(peak, use.peak_bytes);
-  return text_of(
-      {{"format", "quadline-report"},
-       {"version", 1},
-       {"quadline", run.version},
-       {"model", {{"file", run.model.file}, {"name", run.model.name}, {"units", run.model.units}}},
-       {"options", options_of(run)},
-       {"ok", !run.result.failure},
-       {"failure", failure},
-       {"tolerance", report.tolerance},
-       {"counts",
-        {{"cells", report.n_cells},
-         {"curves", report.n_curves},
-         {"vertices", report.n_vertices},
-         {"nodes", report.quality.n_nodes},
-         {"quads", report.quality.n_quads},
-         {"triangles", report.quality.n_triangles}}},
-       {"findings", json_of(report.findings)},
-       {"quality",
-        {{"before_smoothing", json_of(report.before_smoothing)}, {"after_smoothing", json_of(report.quality)}}},
-       {"stages", stages_of(run)},
-       {"seconds", run.elapsed_s},
-       {"peak_memory_bytes", peak},
-       {"files", files}});
+  Json out = {{"format", "quadline-report"},
+              {"version", 1},
+              {"quadline", run.version},
+              {"model", {{"file", run.model.file}, {"name", run.model.name}, {"units", run.model.units}}},
+              {"options", options_of(run)},
+              {"ok", !run.result.failure},
+              {"failure", failure},
+              {"tolerance", report.tolerance},
+              {"counts",
+               {{"cells", report.n_cells},
+                {"curves", report.n_curves},
+                {"vertices", report.n_vertices},
+                {"nodes", report.quality.n_nodes},
+                {"quads", report.quality.n_quads},
+                {"triangles", report.quality.n_triangles}}},
+              {"findings", json_of(report.findings)},
+              {"quality",
+               {{"before_smoothing", json_of(report.before_smoothing)}, {"after_smoothing", json_of(report.quality)}}},
+              {"stages", stages_of(run)},
+              {"seconds", run.elapsed_s},
+              {"peak_memory_bytes", peak},
+              {"files", files}};
+  if (!run.criteria_name.empty()) out["criteria"] = json_of(run.criteria, run.criteria_name);
+  return text_of(out);
 }
 
 }  // namespace quadline

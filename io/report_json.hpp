@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "quadline/criteria.hpp"
 #include "quadline/generate.hpp"
 
 namespace quadline {
@@ -27,6 +28,8 @@ struct Run {
   std::vector<StageUse> stages;  ///< reading and writing too
   double elapsed_s = 0;
   std::vector<std::filesystem::path> files;  ///< the meshes written
+  std::string criteria_name{};               ///< as asked for; empty: none
+  CriteriaResult criteria{};
 };
 
 /// The report of a run as JSON text; docs/command-line.md describes it.
@@ -36,6 +39,7 @@ std::string report_json(const Run& run);
 nlohmann::ordered_json json_of(Point p);
 nlohmann::ordered_json json_of(const Quality& quality);
 nlohmann::ordered_json json_of(const std::vector<Finding>& findings);
+nlohmann::ordered_json json_of(const CriteriaResult& result, const std::string& name);
 /// As indented text; bytes that are not UTF-8 are replaced.
 std::string text_of(const nlohmann::ordered_json& json);
 

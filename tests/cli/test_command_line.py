@@ -415,7 +415,29 @@ class Check(CommandLine):
                          {"min_angle_deg": 45, "max_angle_deg": 135, "max_aspect": 3})
         self.assertEqual(criteria["failing"], 0)
         self.assertIn("csr-fine: 0 quads fail", self.run_it("check", out, "--criteria", "csr-fine").stdout)
-        self.assert_fails(2, "--criteria: fine-csr not in {csr-fine,hypermesh-10mm}: see 'quadline --help'", "check", out, "--criteria", "fine-csr")
+        self.assert_fails(2, "no criteria are called 'fine-csr': use csr-fine, hypermesh-10mm or a .json file", "check", out, "--criteria", "fine-csr")
+        limits = self.path("limits.json")
+        for text, message in (('{"max_aspct": 2}', "/max_aspct: unknown limit 'max_aspct': did you mean 'max_aspect'?"),
+                              ('{"min_edge": "1"}', "/min_edge: expected a number"),
+                              ('{"min_edge": 2, "max_edge": 1}',
+                               "/min_edge: is above 'max_edge': nothing can keep both"),
+                              ("[1]", "expected an object of limits")):
+            with open(limits, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.assert_fails(2, limits + ": " + message, "check", out, "--criteria", limits)
+            self.assert_fails(2, limits + ": " + message, "mesh", self.plate, "-o", self.path("no.vtu"),
+                              "--criteria", limits)
+        with open(limits, "w", encoding="utf-8") as file:
+            file.write('{"max_edge_to_size": 0.1}')
+        quads = json.loads(self.run_it("check", out, "--json").stdout)["quality"]["quads"]
+        checked = json.loads(self.run_it("check", out, "--criteria", limits, "--json").stdout)["criteria"]
+        self.assertEqual([checked["limits"][0]["checked"], checked["failing"]], [False, 0])  # of no known size
+        with_size = ("check", out, "--criteria", limits, "--model", self.plate, "--json")
+        self.assertEqual(json.loads(self.run_it(*with_size).stdout)["criteria"]["failing"], quads)
+        done = self.run_it("mesh", self.plate, "--criteria", limits, "--json")
+        self.assertEqual(done.returncode, 0)  # valid all the same
+        told = json.loads(done.stdout)["criteria"]
+        self.assertEqual([told["name"], told["failing"], len(told["limits"][0]["worst"])], [limits, quads, 5])
         done = self.run_it("check", out, "--model", self.plate, "--json")
         self.assert_done(done)
         verdict = json.loads(done.stdout)

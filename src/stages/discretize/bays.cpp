@@ -8,7 +8,8 @@
 #include "geom/element.hpp"
 #include "mesh/work_mesh.hpp"
 
-// Equal counts on opposite sides of four-sided cells: interval assignment [Mitchell1997] as a soft wish. An integer
+// Equal counts on opposite sides: interval assignment [Mitchell1997] as a soft wish, for what submapping would mesh
+// [Whiteley1996]. An integer
 // program is not needed, because a bay that stays unequal costs a few irregular nodes, not the mesh.
 
 namespace quadline {

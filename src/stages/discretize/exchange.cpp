@@ -107,7 +107,7 @@ class Exchange {
     return most;
   }
 
-  /// Side of the bay that a curve belongs to.
+  /// Side of the bay that a curve belongs to; the first of a line that ends in it.
   std::uint32_t bay_side(std::uint32_t bay, CurveId c) const {
     for (auto p = state_.parts().begin(c.value); p != state_.parts().end(c.value); ++p)
       if (p->bay == bay) return p->side;
@@ -134,8 +134,9 @@ class Exchange {
     const std::uint32_t bay = bay_[face];
     if (bay == kNone) return 0;
     std::array<std::int64_t, 4> sums = state_.sums(bay);
-    sums[bay_side(bay, a)] += step_a;
-    sums[bay_side(bay, b)] += step_b;
+    for (const auto& [curve, step] : {std::pair{a, step_a}, std::pair{b, step_b}})
+      for (auto p = state_.parts().begin(curve.value); p != state_.parts().end(curve.value); ++p)
+        if (p->bay == bay) sums[p->side] += step;  // twice for a line that ends in the bay
     return CountState::kGapCost *
            static_cast<double>(std::max<std::int64_t>(0, state_.gap(bay, sums) - state_.gap(bay)));
   }

@@ -125,6 +125,22 @@ TEST(BetterPlace, MovesToTheMiddleOfASquare) {
   EXPECT_NEAR(p.y, 0, 1e-3);
 }
 
+TEST(BetterPlace, MindsTheSizeWhereItIsNear) {
+  const Point a{-1, -1}, b{2, -1}, c{2, 1}, d{-1, 1}, e{0, -1}, f{2, 0}, g{0, 1}, h{-1, 0};
+  const std::vector<StarQuad> star{{h, a, e}, {e, b, f}, {f, c, g}, {g, d, h}};
+  const auto stretch = [&](Point p, double size) {
+    double sum = 0;
+    for (const Point& q : {e, f, g, h}) sum += norm2(q - p) / (size * size) + size * size / norm2(q - p);
+    return sum;
+  };
+  Point near{0, 0}, far{0, 0};
+  for (int i = 0; i < 20; ++i) {
+    near = better_place(near, star, 1);
+    far = better_place(far, star, 100);
+  }
+  EXPECT_LT(stretch(near, 1), stretch(far, 1) - 1e-3);
+}
+
 TEST(BetterPlace, ComesBackFromOutside) {
   const Point a{-1, -1}, b{1, -1}, c{1, 1}, d{-1, 1}, e{0, -1}, f{1, 0}, g{0, 1}, h{-1, 0};
   const std::vector<StarQuad> star{{h, a, e}, {e, b, f}, {f, c, g}, {g, d, h}};

@@ -201,8 +201,8 @@ TEST(Discretize, OppositeSidesOfFourSidedCellsGetEqualCounts) {
 }
 
 TEST(Discretize, TheWalkOfAnLHasEqualCountsInOppositeDirections) {
-  // Wishes 6.2, 2.1, 3.3, 1.8, 2.9, 3.9: rounded one by one, right to left would have seven against six.
-  const Domain domain = shapes::Builder({{0, 0}, {6.2, 0}, {6.2, 2.1}, {3.4, 2.1}, {3.4, 3.9}, {0, 3.9}},
+  // One by one, eight edges below would round against nine above, and five on the left against six on the right.
+  const Domain domain = shapes::Builder({{0, 0}, {8.4, 0}, {8.4, 2.6}, {4.8, 2.6}, {4.8, 5.2}, {0, 5.2}},
                                         {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}}, 1)
                             .build();
   const WorkMesh mesh = nodes_of(domain);
@@ -210,6 +210,25 @@ TEST(Discretize, TheWalkOfAnLHasEqualCountsInOppositeDirections) {
   const std::vector<unsigned> n = counts(domain, mesh);
   EXPECT_EQ(n[0], n[2] + n[4]);
   EXPECT_EQ(n[5], n[1] + n[3]);
+}
+
+TEST(Discretize, TheWalksOfARingHaveEqualCounts) {
+  // Wishes of 25.1 and 22.0 edges; the square round them keeps out of it.
+  const Domain domain = shapes::Builder({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}, {-4, 0}, {4, 0}, {-3.5, 0}, {3.5, 0}},
+                                        {{0, 1},
+                                         {1, 2},
+                                         {2, 3},
+                                         {3, 0},
+                                         {4, 5, Point{0, -4}},
+                                         {5, 4, Point{0, 4}},
+                                         {6, 7, Point{0, -3.5}},
+                                         {7, 6, Point{0, 3.5}}},
+                                        1)
+                            .build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  const std::vector<unsigned> n = counts(domain, mesh);
+  EXPECT_EQ(n[4] + n[5], n[6] + n[7]);
 }
 
 TEST(Discretize, ChordsNearOtherCurvesAreRefinedUntilTheyDoNotCross) {

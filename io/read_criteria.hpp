@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "quadline/criteria.hpp"
+
+namespace quadline {
+
+/// The limits of a named set, or of a JSON file: an object of limits by the names of `criteria_fields`, numbers.
+///
+/// @throws InputError  neither: the name is none, or the file cannot be read or is wrong; names the file and JSON path.
+Criteria read_criteria(const std::string& name_or_file);
+
+}  // namespace quadline
