@@ -5,45 +5,18 @@
 #include <cstddef>
 #include <utility>
 
-#include "geom/element.hpp"
-#include "mesh/work_mesh.hpp"
+#include "stages/discretize/walk_turns.hpp"
 
 // Equal counts on opposite sides: interval assignment [Mitchell1997] as a soft wish, for what submapping would mesh
-// [Whiteley1996]. An integer
-// program is not needed, because a bay that stays unequal costs a few irregular nodes, not the mesh.
+// [Whiteley1996]. An integer program is not needed, because a bay that stays unequal costs a few irregular nodes, not
+// the mesh.
 
 namespace quadline {
 namespace {
 
-constexpr double kMostUnequal = 1.6;  // ratio of the wishes of opposite sides beyond which rows had better end
-constexpr double kRoundsAway = 0.7;   // edges: a lesser difference is hardly more than rounding
-
-Point direction(const Domain& domain, DirectedCurve d, bool at_end) {
-  const CurvePiece& piece = domain.curves[d.curve].piece;
-  const Point t = tangent_at(piece, d.reversed != at_end ? length(piece) : 0);
-  return d.reversed ? -1.0 * t : t;
-}
-
-/// Quads that fit into the corner of the walk before its i-th curve.
-int quads_at(const Domain& domain, const std::vector<DirectedCurve>& walk, std::size_t i) {
-  const DirectedCurve before = walk[(i + walk.size() - 1) % walk.size()];
-  const Point in = direction(domain, before, true), out = direction(domain, walk[i], false);
-  return quads_for_angle(corner_angle(-1.0 * in, {0, 0}, out));
-}
-
-/// How many quads fit before each curve of a walk.
-std::vector<int> quads_along(const Domain& domain, const std::vector<DirectedCurve>& walk) {
-  std::vector<int> quads;
-  for (std::size_t i = 0; i < walk.size(); ++i) quads.push_back(quads_at(domain, walk, i));
-  return quads;
-}
-
-/// Right angles that a walk turns by to the left, as its quads count them: 4 round a rectangle.
-int turns(const std::vector<int>& quads) {
-  int sum = 0;
-  for (int k : quads) sum += 2 - k;
-  return sum;
-}
+// Ratio of the wishes of opposite sides beyond which rows had better end; round a ring they show more where they do.
+constexpr double kMostUnequal = 1.6, kMostUnequalRing = 1.75;
+constexpr double kRoundsAway = 0.7;  // edges: a lesser difference is hardly more than rounding
 
 /// The curves of a walk by the direction in which the rows of a grid would see them.
 std::array<std::vector<CurveId>, 4> sides_by_direction(const std::vector<DirectedCurve>& walk,
@@ -68,10 +41,10 @@ double side_length(const std::vector<CurveId>& side, const IdVector<CurveId, Cou
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes) {
   std::vector<Bay> bays;
   const auto add = [&](Bay bay) {
+    const double most = bay.is_ring() ? kMostUnequalRing : kMostUnequal;
     for (std::size_t k = 0; k < 2; ++k) {
       const double a = side_length(bay.sides[k], wishes), b = side_length(bay.sides[k + 2], wishes);
-      bay.is_close[k] =
-          a > 0 && b > 0 && (std::max(a, b) < kMostUnequal * std::min(a, b) || std::abs(a - b) < kRoundsAway);
+      bay.is_close[k] = a > 0 && b > 0 && (std::max(a, b) < most * std::min(a, b) || std::abs(a - b) < kRoundsAway);
     }
     if (bay.is_close[0] || bay.is_close[1]) bays.push_back(std::move(bay));
   };
@@ -94,19 +67,6 @@ std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWi
   return bays;
 }
 
-void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes) {
-  for (const Domain::Cell& cell : domain.cells) {
-    if (cell.walks.size() != 1 || !cell.lone_points.empty()) continue;
-    const auto& walk = cell.walks[0];
-    const std::vector<int> quads = quads_along(domain, walk);
-    if (turns(quads) != 3 || std::count(quads.begin(), quads.end(), 1) != 3) continue;
-    for (std::size_t i = 0; i < walk.size(); ++i) {
-      CountWish& wish = wishes[walk[i].curve];
-      if (quads[i] == 1 && quads[(i + 1) % quads.size()] == 1) wish.least = std::max(wish.least, 2u);
-    }
-  }
-}
-
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes) {
   // All bays at once, each curve by the mean of its two bays: the result does not depend on their order.
   constexpr int kSweeps = 16;
@@ -115,6 +75,12 @@ void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes
     int count = 0;
   };
   const IdVector<CurveId, CountWish> original = wishes;
+  IdVector<CurveId, double> most;
+  most.assign(wishes.count(), kMostRefined);
+  for (const Bay& bay : bays)
+    for (const auto& side : bay.sides)
+      for (CurveId c : side)
+        if (bay.is_ring()) most[c] = kMostRefinedRing;
   IdVector<CurveId, Factor> factors;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     factors.assign(wishes.count(), {});
@@ -132,7 +98,7 @@ void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes
       if (factors[c].count == 0) continue;
       const double l = original[c].length;
       const double factor = factors[c].count == 1 ? factors[c].product : std::sqrt(factors[c].product);
-      wishes[c].length = std::clamp(wishes[c].length * factor, l / kMostCoarsened, l * kMostRefined);
+      wishes[c].length = std::clamp(wishes[c].length * factor, l / kMostCoarsened, l * most[c]);
     }
   }
 }

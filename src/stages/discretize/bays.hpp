@@ -18,18 +18,18 @@ struct Bay {
   std::size_t walk;                           ///< number among all walks of all cells; kNoWalk: a ring
   std::array<std::vector<CurveId>, 4> sides;  ///< by direction; 0 is opposite to 2, 1 to 3
   std::array<bool, 2> is_close;               ///< sides 0 and 2, sides 1 and 3 want about the same count
+
+  bool is_ring() const { return walk == kNoWalk; }
 };
 
 /// The bays of a domain with a pair of opposite sides that want about the same count, in the order of the cells. O(n).
 std::vector<Bay> find_bays(const Domain& domain, const IdVector<CurveId, CountWish>& wishes);
 
-/// A cell with three corners wants two edges or more on each side: with one, a quad would have a flat corner.
-void widen_triangles(const Domain& domain, IdVector<CurveId, CountWish>& wishes);
-
 /// Brings the wished lengths of opposite sides of bays together, from bay to bay, so that they round to the same
-/// counts. No wish falls by more than the factor `kMostCoarsened`, or rises by more than `kMostRefined`. O(n).
+/// counts. No wish falls by more than the factor `kMostCoarsened`, or rises by more than `kMostRefined`, round a ring
+/// `kMostRefinedRing`. O(n).
 void even_out(const std::vector<Bay>& bays, IdVector<CurveId, CountWish>& wishes);
 
-inline constexpr double kMostRefined = 1.25, kMostCoarsened = 1.08;
+inline constexpr double kMostRefined = 1.25, kMostRefinedRing = 1.6, kMostCoarsened = 1.08;
 
 }  // namespace quadline

@@ -98,7 +98,7 @@ class Exchange {
   void index_bays() {
     bay_.assign(sides_count(), kNone);
     for (std::uint32_t b = 0; b < state_.bays().size(); ++b)
-      if (state_.bays()[b].walk != Bay::kNoWalk) bay_[state_.bays()[b].walk] = b;
+      if (!state_.bays()[b].is_ring()) bay_[state_.bays()[b].walk] = b;
     best_.assign(8 * bay_.size(), kFar);
   }
   std::size_t sides_count() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "stages/discretize/bays.hpp"
+#include "stages/discretize/cell_wishes.hpp"
 #include "stages/discretize/count_state.hpp"
 
 namespace quadline {
@@ -35,6 +36,7 @@ IdVector<CurveId, std::uint32_t> choose_counts(const Domain& domain, IdVector<Cu
   for (CountWish& wish : wishes.raw())  // what a line or a gap asks for must hold
     wish.least = std::max(wish.least, static_cast<std::uint32_t>(std::min(wish.length, 1e9) / kMostCoarsened));
   widen_triangles(domain, wishes);
+  crowd_polygons(domain, wishes);
   const std::vector<Bay> bays = find_bays(domain, wishes);
   even_out(bays, wishes);
   CountState state(wishes, bays);

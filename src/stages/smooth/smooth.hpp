@@ -17,7 +17,7 @@ struct SmoothOptions {
 /// Nodes on curves slide along them and keep their order; nodes at vertices stay. The connectivity stays.
 ///
 /// @pre   quads only.
-/// @post  Around every node that was sound the least scaled Jacobian is no lower than before, or above 0.8. Around
+/// @post  Around every node that was sound the least scaled Jacobian is no lower than before, or above 0.84. Around
 ///        the others it rises above 0 where the connectivity lets it: a node with two quads, or a fixed straight
 ///        corner that one quad fills, it does not.
 /// @throws Cancelled when `context` asks for it.

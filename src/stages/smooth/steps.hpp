@@ -7,7 +7,7 @@
 namespace quadline::smoothing {
 
 /// Scaled Jacobian that every step may lower a star to, if it was better; squared.
-constexpr double kFloor2 = 0.8 * 0.8;
+constexpr double kFloor2 = 0.84 * 0.84;
 
 // The steps of smoothing, in their order.
 

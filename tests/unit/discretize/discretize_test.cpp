@@ -231,6 +231,32 @@ TEST(Discretize, TheWalksOfARingHaveEqualCounts) {
   EXPECT_EQ(n[4] + n[5], n[6] + n[7]);
 }
 
+/// A regular polygon with sides of n edges, size 1.
+Model polygon_model(int corners, double n) {
+  Model model = square_model(1, 1);
+  model.outer[0].items.clear();
+  const double pi = std::acos(-1.0), radius = n / (2 * std::sin(pi / corners));
+  for (int i = 0; i < corners; ++i)
+    model.outer[0].items.push_back(
+        {{radius * std::cos(2 * pi * i / corners), radius * std::sin(2 * pi * i / corners)}, {}});
+  return model;
+}
+
+TEST(Discretize, PolygonsWithMoreThanFourCornersGetMoreEdges) {
+  const auto count_on_a_side = [](int corners, double n) {
+    const Domain domain = arranged(polygon_model(corners, n));
+    const WorkMesh mesh = nodes_of(domain);
+    expect_sound(domain, mesh);
+    return static_cast<double>(edges_round(domain.cells[CellId(0)], counts(domain, mesh))) / corners;
+  };
+  // The area of a hexagon is 2.6 n^2, and 6 corners with m edges between them hold 1.5 m^2 quads.
+  EXPECT_NEAR(count_on_a_side(6, 6), 6 * std::sqrt(2.6 / 1.5), 0.5);
+  EXPECT_NEAR(count_on_a_side(5, 6), 6 * std::sqrt(1.72 / 1.25), 0.5);
+  EXPECT_EQ(count_on_a_side(4, 6), 6);
+  EXPECT_EQ(count_on_a_side(3, 6), 6);
+  EXPECT_LT(count_on_a_side(6, 60), 64);  // rows begin inside instead
+}
+
 TEST(Discretize, ChordsNearOtherCurvesAreRefinedUntilTheyDoNotCross) {
   // A line passes over a large arc at a hundredth of the height of one of its chords.
   const double r = 10, h = 4;
