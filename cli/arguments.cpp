@@ -55,8 +55,19 @@ void add_size(CLI::App& app, Options& options) {
              });
 }
 
+void add_tolerance(CLI::App& app, Options& options) {
+  add_number(app, "--tolerance",
+             "points nearer than this are one, and those within half of it of a curve lie on it; default 1e-7 of the "
+             "model's diagonal, or 1e-3 of the least size where that is less",
+             "a length above 0", [&options](double value) {
+               options.tolerance = value;
+               return value > 0;
+             });
+}
+
 void add_arrangement_options(CLI::App& app, Options& options) {
   add_size(app, options);
+  add_tolerance(app, options);
   const auto set_growth = [&options](double value) {
     options.growth = value;
     return value > 1;
@@ -124,6 +135,7 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
   check->add_option("--model", arguments.model, "check too that the mesh keeps what this model asks for")
       ->type_name("MODEL");
   check->add_flag("--all-quad", arguments.all_quad, "triangles make the mesh invalid");
+  add_tolerance(*check, arguments.options);
   add_criteria(*check, arguments.criteria);
   check->add_flag("--json", arguments.json, "print JSON instead of the table");
   return check;
@@ -133,6 +145,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App* info = app.add_subcommand("info", "What a model holds, what was repaired, what is wrong and where");
   add_model(*info, arguments.model);
   add_size(*info, arguments.options);
+  add_tolerance(*info, arguments.options);
   info->add_flag("--json", arguments.json, "print JSON instead of the table");
   return info;
 }

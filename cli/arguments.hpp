@@ -27,6 +27,7 @@ struct MeshArguments {
 struct CheckArguments {
   std::filesystem::path mesh;
   std::filesystem::path model;  ///< empty: the mesh by itself
+  Options options;              ///< of which the tolerance counts
   bool all_quad = false;        ///< triangles make it invalid
   std::string criteria;         ///< as `read_criteria` takes them; empty: none
   bool json = false;

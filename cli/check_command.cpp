@@ -1,3 +1,4 @@
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -48,9 +49,9 @@ Verdict verdict_on(const CheckArguments& arguments) {
   std::optional<Domain> domain;
   if (!arguments.model.empty()) {
     Model model = read_model(arguments.model);
-    Options options;
+    Options options = arguments.options;
     if (model.size > 0) size = model.size;
-    if (!size) options.size = 1;  // whether the mesh fits the model does not depend on the size
+    if (!size) options.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
     domain = arrange(model, options, context);
   }
   verdict.mesh = read_mesh(arguments.mesh);

@@ -16,12 +16,14 @@ Json json_of(const Statistics& s) {
 
 Json options_of(const Run& run) {
   const Options& options = run.options;
-  return {{"size", options.size.value_or(run.model.size)},
-          {"growth", options.growth},
-          {"edges_per_circle", options.edges_per_circle},
-          {"lines", options.lines == LineFronts::OneSided ? "one-sided" : "two-sided"},
-          {"triangles", options.triangles == Triangles::Delaunay ? "delaunay" : "front"},
-          {"threads", run.threads}};
+  Json out{{"size", options.size.value_or(run.model.size)},
+           {"growth", options.growth},
+           {"edges_per_circle", options.edges_per_circle},
+           {"lines", options.lines == LineFronts::OneSided ? "one-sided" : "two-sided"},
+           {"triangles", options.triangles == Triangles::Delaunay ? "delaunay" : "front"},
+           {"threads", run.threads}};
+  if (options.tolerance) out["tolerance"] = *options.tolerance;
+  return out;
 }
 
 Json stages_of(const Run& run) {

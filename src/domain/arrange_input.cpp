@@ -17,8 +17,12 @@ constexpr double kLargest = 1e60;
 constexpr double kSmallest = 1e-60;
 
 // Model data are rounded to about 1e-9 of the coordinates, and an arc through three rounded points is off by some times
-// that. A tenth of a micrometre on a plate of a metre is well above it and well below any detail meant.
+// that: nobody wants to hear of it. Half a micrometre on a plate of a metre is well above it and below any detail
+// meant.
+constexpr double kRelativeRounding = 1e-8;
 constexpr double kRelativeTolerance = 1e-7;
+// Of the least size: elements keep their shape whatever the tolerance moves; a tolerance asked for may be larger.
+constexpr double kToleranceInSize = 1e-3, kMostInSize = 0.25;
 // Far from the origin the spacing of the numbers themselves counts.
 constexpr double kUnitsInTolerance = 0x1p-48;
 // An arc this much flatter than the tolerance is straight; its centre could not be computed.
@@ -35,7 +39,7 @@ class Reader {
 
   Work read(const Options& options) {
     read_sizes(options);
-    find_tolerance();
+    find_tolerance(options);
     for (std::size_t i = 0; i < work_.model.outer.size(); ++i) add_loop(work_.model.outer[i], CurveKind::Outer, i);
     for (std::size_t i = 0; i < work_.model.holes.size(); ++i) add_loop(work_.model.holes[i], CurveKind::Hole, i);
     for (std::size_t i = 0; i < work_.model.lines.size(); ++i) add_line(work_.model.lines[i], i);
@@ -106,7 +110,7 @@ class Reader {
     return path.where.starts_with('/') ? path.where + "/" + std::to_string(item) : path.where;
   }
 
-  void find_tolerance() {
+  void find_tolerance(const Options& options) {
     if (work_.model.outer.empty()) fail("the model has no outer loop: give the boundary of the domain", "/outer");
     Box b{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
     diagonal_ = kInfinity;  // until it is known
@@ -126,7 +130,10 @@ class Reader {
     work_.box = b;
     diagonal_ = diagonal;
     const double farthest = std::max({std::abs(b.lo.x), std::abs(b.lo.y), std::abs(b.hi.x), std::abs(b.hi.y)});
-    work_.tolerance = std::max(kRelativeTolerance * diagonal, kUnitsInTolerance * farthest);
+    const double least = kUnitsInTolerance * farthest;
+    work_.tolerance = std::max(std::min(kRelativeTolerance * diagonal, kToleranceInSize * least_size()), least);
+    work_.rounding = std::max(kRelativeRounding * diagonal, least);
+    if (options.tolerance) take_tolerance(*options.tolerance, least);
     if (!(diagonal > kSmallest)) {
       fail("the outer loop has no area: it needs three distinct points", work_.model.outer[0].where);
     }
@@ -134,6 +141,25 @@ class Reader {
       fail("the domain is too small for its distance from the origin: move it nearer", work_.model.outer[0].where,
            b.lo);
     }
+  }
+
+  double least_size() const {
+    double least = work_.size;
+    const auto see = [&least](std::optional<double> size) { least = std::min(least, size.value_or(kInfinity)); };
+    for (const Line& line : work_.model.lines) see(line.size);
+    for (const NamedPoint& point : work_.model.points) see(point.size);
+    for (const Region& region : work_.model.regions) see(region.size);
+    return least;
+  }
+
+  void take_tolerance(double tolerance, double least) {
+    if (!(std::isfinite(tolerance) && tolerance > 0)) {
+      fail("the tolerance is not a positive number: give the distance below which points are one", "tolerance");
+    }
+    if (tolerance > kMostInSize * least_size()) {
+      fail("the tolerance is more than a quarter of the least size: choose a smaller one", "tolerance");
+    }
+    work_.tolerance = std::max(tolerance, least);
   }
 
   std::string unique_name(std::string name, const std::string& place, Point at) {

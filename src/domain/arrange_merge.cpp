@@ -91,6 +91,7 @@ class Merger {
     for (const VertexId v : order) {
       const VertexId near = grid.find(work_.vertices[v].at);
       stays[v] = near.valid() ? near : v;
+      if (near.valid()) report_joined(v, near);
       if (!near.valid()) grid.add(v);
     }
     IdVector<VertexId, VertexId> renumbered(work_.vertices.count());
@@ -109,6 +110,14 @@ class Merger {
       if (piece.tail != piece.head) piece.curve = cut_curve(work_, piece.curve, 0, length(piece.curve), a, b);
       piece.checked_near = piece.checked_across = false;
     }
+  }
+
+  void report_joined(VertexId v, VertexId near) {
+    const Rank rank = work_.vertices[v].rank;
+    if (rank == Rank::Crossing) return;
+    const Point at = work_.vertices[near].at;
+    const char* what = rank == Rank::Helper ? "a point and a curve are joined" : "two points are one";
+    work_.report_joined(what, distance(work_.vertices[v].at, at), at);
   }
 
   /// Pieces whose ends have become one are shorter than the tolerance.

@@ -74,7 +74,10 @@ class Resolver {
         const CurveId id = parts.piece[part];
         const Piece& piece = work_.pieces[id];
         if ((vertex.checked && piece.checked_near) || piece.tail == v || piece.head == v) return;
-        if (distance_to(piece.curve, vertex.at) > touch_) return;
+        const double gap = distance_to(piece.curve, vertex.at);
+        if (gap > touch_) return;
+        if (!vertex.checked && vertex.rank <= Rank::Point)
+          work_.report_joined("a point and a curve are joined", gap, vertex.at);
         cuts.push_back({id, project(piece.curve, vertex.at), v});
       });
       vertex.checked = true;

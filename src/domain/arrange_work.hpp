@@ -57,7 +57,8 @@ struct Work {
   const Model& model;
   double size = 0;
   double tolerance = 0;
-  Box box{};  ///< of the outer loops
+  double rounding = 0;  ///< distance below which joining two things is no finding
+  Box box{};            ///< of the outer loops
   IdVector<VertexId, Vertex> vertices{};
   IdVector<CurveId, Piece> pieces{};
   std::vector<CurvePiece> steps{};       ///< of the paths, as given; `origin` counts them
@@ -65,10 +66,17 @@ struct Work {
   std::vector<VertexId> point_vertex{};  ///< of every point of the model
   std::vector<Finding> findings{};
 
+  /// Makes a finding of two things that the tolerance has joined, `gap` apart at `at`.
+  void report_joined(const char* what, double gap, Point at);
+
   Where where(std::string place, Point at) const {
     return {.file = model.file, .place = std::move(place), .point = at};
   }
 };
+
+/// Warnings of line ends and points that lie off a curve by more than the tolerance, but by so little beside the size
+/// that elements have to become as small. O(n log n).
+void report_near_misses(const Domain& domain, std::vector<Finding>& findings);
 
 /// Checks the model and lays out its paths, as they are. @throws InputError
 Work read_input(const Model& model, const Options& options);
