@@ -38,6 +38,8 @@ std::string before_and_after(const Quality& before, const Quality& after) {
     rows.push_back({"edge length / size, median", "", fixed(after.edge_to_size->median, 2)});
     rows.push_back({"edge length / size, greatest", "", fixed(after.edge_to_size->max, 2)});
   }
+  rows.push_back(row("growth, 95 %", [](const Quality& q) { return fixed(q.growth.p95, 2); }));
+  rows.push_back(row("growth, greatest", [](const Quality& q) { return fixed(q.growth.max, 2); }));
   rows.push_back(row("irregular nodes", [](const Quality& q) { return std::to_string(q.n_irregular); }));
   rows.back().push_back(share(after.n_irregular, after.n_nodes));
   return aligned(rows);
@@ -53,6 +55,7 @@ std::string quality_table(const Quality& quality) {
   rows.push_back(row_of("longest / shortest edge", quality.aspect, 2));
   rows.push_back(row_of("edge length", quality.edge_length, -1));
   if (quality.edge_to_size) rows.push_back(row_of("edge length / size", *quality.edge_to_size, 2));
+  rows.push_back(row_of("growth", quality.growth, 2));
   return aligned(rows) + "  irregular nodes: " + std::to_string(quality.n_irregular) + " (" +
          share(quality.n_irregular, quality.n_nodes) + ")\n";
 }

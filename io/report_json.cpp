@@ -48,7 +48,10 @@ Json json_of(const Quality& quality) {
               {"min_angle_deg", json_of(quality.min_angle_deg)},
               {"max_angle_deg", json_of(quality.max_angle_deg)},
               {"aspect", json_of(quality.aspect)},
-              {"edge_length", json_of(quality.edge_length)}};
+              {"edge_length", json_of(quality.edge_length)},
+              {"growth", json_of(quality.growth)},
+              {"growth_limit", kGrowthLimit},
+              {"growth_over_limit", quality.n_growth_over}};
   if (quality.edge_to_size) out["edge_to_size"] = json_of(*quality.edge_to_size);
   return out;
 }

@@ -16,6 +16,9 @@ struct Statistics {
   double min = 0, p1 = 0, p5 = 0, median = 0, p95 = 0, p99 = 0, max = 0, mean = 0;
 };
 
+/// What the sizes of neighbouring elements should not differ by more than.
+constexpr double kGrowthLimit = 1.5;
+
 /// Quality of the quads of a mesh.
 struct Quality {
   std::size_t n_nodes = 0, n_quads = 0, n_triangles = 0;
@@ -28,6 +31,8 @@ struct Quality {
   Statistics max_angle_deg;                ///< greatest corner angle of each quad
   Statistics aspect;                       ///< longest over shortest edge of each quad, >= 1
   Statistics edge_length;                  ///< model units
+  Statistics growth;                       ///< ratio, >= 1, of the widths of two quads across the edge that they share
+  std::size_t n_growth_over = 0;           ///< such edges with a ratio above kGrowthLimit
   std::optional<Statistics> edge_to_size;  ///< edge length over the size field at its middle, where one is known
 };
 
@@ -40,6 +45,11 @@ double distortion(Point a, Point b, Point c, Point d);
 
 /// Every edge of the faces once, smaller node first, in ascending order: `n_edges x 2`.
 std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh);
+
+/// For each quad the greatest growth across its sides: the ratio, >= 1, of its width to that of the neighbour, where
+/// the width of a quad across a side is the distance between the middles of that side and of the opposite one. 1
+/// where it has no neighbours.
+std::vector<double> growth_of_quads(const Mesh& mesh);
 
 /// Measures the quads of a mesh.
 ///

@@ -116,6 +116,30 @@ TEST(Measure, EdgeLengthOverSize) {
   EXPECT_NEAR(q.edge_to_size->mean, 0.5, 1e-12);
 }
 
+// Four columns of widths 1, 1, 2 and 3 in a row: growth 1, 2 and 1.5 from each to the next.
+Mesh growing_row() {
+  Mesh mesh;
+  for (const double x : {0, 1, 2, 4, 7}) mesh.points.insert(mesh.points.end(), {{x, 0}, {x, 1}});
+  mesh.quads = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 6, 7, 5}, {6, 8, 9, 7}};
+  return mesh;
+}
+
+TEST(Measure, GrowthIsTheRatioOfWidthsAcrossASharedEdge) {
+  const Quality q = measure(growing_row());
+  EXPECT_NEAR(q.growth.min, 1, 1e-12);
+  EXPECT_NEAR(q.growth.median, 1.5, 1e-12);
+  EXPECT_NEAR(q.growth.max, 2, 1e-12);
+  EXPECT_EQ(q.n_growth_over, 1u);  // one at the limit passes
+  const std::vector<double> expected{1, 2, 2, 1.5};
+  EXPECT_EQ(growth_of_quads(growing_row()), expected);
+}
+
+TEST(Measure, GrowthLooksAcrossTheEdgeNotAlongIt) {
+  Mesh mesh = flat({.nx = 3, .ny = 2});
+  for (Point& p : mesh.points) p.y *= 7;  // slender quads, but every neighbour is alike
+  EXPECT_NEAR(measure(mesh).growth.max, 1, 1e-12);
+}
+
 TEST(Irregular, FourOddNodesWhereAnEdgeIsTurned) {
   EXPECT_EQ(measure(flat({.nx = 6, .ny = 5, .turned = {{2, 2}}})).n_irregular, 4u);
 }
