@@ -50,9 +50,9 @@ class CurveNodes {
         if (place_[v] != kNowhere) visit(i, v);
   }
 
-  std::vector<std::uint32_t> place_;    // of nodes among those on curves
+  std::vector<std::uint32_t> place_;  // of nodes among those on curves
   std::uint32_t n_places_ = 0;
-  std::vector<std::size_t> first_;      // by place: the first of its quads
+  std::vector<std::size_t> first_;  // by place: the first of its quads
   std::vector<std::size_t> quads_;
   std::vector<std::uint8_t> is_curve_;  // of edges
 };
@@ -60,8 +60,13 @@ class CurveNodes {
 class LineMeasure {
  public:
   LineMeasure(const Mesh& mesh, std::span<const double> size)
-      : mesh_(mesh), size_(size), sides_(sorted_sides(mesh)), edges_(unique_edges(sides_)),
-        numbers_(edges_, mesh.points.size()), nodes_(mesh, edges_), is_irregular_(irregular_nodes(mesh, sides_)) {
+      : mesh_(mesh),
+        size_(size),
+        sides_(sorted_sides(mesh)),
+        edges_(unique_edges(sides_)),
+        numbers_(edges_, mesh.points.size()),
+        nodes_(mesh, edges_),
+        is_irregular_(irregular_nodes(mesh, sides_)) {
     for (const EdgeSet& set : mesh.curves)
       for (const auto& [a, b] : set.edges)
         if (const std::size_t e = numbers_.find(a, b); e < numbers_.count()) nodes_.mark(e);

@@ -61,7 +61,7 @@ void for_each_growth(const Mesh& mesh, const std::vector<Side>& sides, Visit vis
     const Side &s = sides[i - 1], &t = sides[i];
     if (!same_edge(s, t) || s.face >= mesh.quads.size() || t.face >= mesh.quads.size()) continue;
     const double a = width(s), b = width(t), least = std::min(a, b);
-    visit(s.face, t.face, least > 0 ? std::max(a, b) / least : kEndless);
+    visit(s.face, t.face, least * kEndless > std::max(a, b) ? std::max(a, b) / least : kEndless);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,26 @@ struct Quality {
   std::optional<Statistics> edge_to_size;  ///< edge length over the size field at its middle, where one is known
 };
 
+/// Least, mean and greatest edge length over the target size.
+struct LengthToSize {
+  double min = 0, mean = 0, max = 0;
+};
+
+/// Quality along one curve of a mesh: of the quads that have a node on it, and of its edges.
+struct LineQuality {
+  std::string name;
+  CurveKind kind = CurveKind::Line;
+  std::size_t n_edges = 0, n_quads = 0;
+  std::size_t n_irregular = 0;  ///< irregular nodes on it, as in `Quality`
+  double beta_mean = 0;         ///< geometric mean
+  double beta_min = 0;
+  double scaled_jacobian_mean = 0, scaled_jacobian_min = 0;
+  double min_angle_deg = 0, max_angle_deg = 0;  ///< of the corners of its quads
+  std::optional<LengthToSize> edge_to_size{};   ///< where the size is known
+  std::optional<double> rungs_off_deg{};  ///< mean of how far the free edges that leave it between its ends are from 90
+                                          ///< degrees to it; empty where there are none
+};
+
 /// Table 2 of [Lee2003]: "excellent", "good", "marginal" or "unacceptable".
 std::string_view verdict(double beta);
 
@@ -56,5 +77,11 @@ std::vector<double> growth_of_quads(const Mesh& mesh);
 /// @param mesh  any mesh; triangles are counted, not measured.
 /// @param size  target size at the middle of every edge, in the order of `edges_of(mesh)`; empty: unknown.
 Quality measure(const Mesh& mesh, std::span<const double> size = {});
+
+/// Measures the mesh along each of its curves, in their order.
+///
+/// @param size  as in `measure`.
+/// Cost O(quads + n log n) for n quads and edges at curves.
+std::vector<LineQuality> measure_lines(const Mesh& mesh, std::span<const double> size = {});
 
 }  // namespace quadline

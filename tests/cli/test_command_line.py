@@ -189,6 +189,11 @@ class Mesh(CommandLine):
             quality = report["quality"][when]
             self.assertLessEqual(quality["scaled_jacobian"]["min"], quality["scaled_jacobian"]["p5"])
         self.assertIn(quality["verdict"], ("excellent", "good"))
+        self.assertEqual([(line["name"], line["kind"]) for line in report["lines"]],
+                         [("outer-1", "outer"), ("hole-1", "hole"), ("stiffener", "line")])
+        for line in report["lines"]:
+            self.assertGreater(line["edges"], 0)
+            self.assertLessEqual(line["edge_to_size"]["min"], line["edge_to_size"]["mean"])
         stages = [stage["stage"] for stage in report["stages"]]
         self.assertEqual([stages[0], stages[-1]], ["read", "write"])
         self.assertIn("qmorph", stages)
