@@ -85,9 +85,8 @@ void add_arrangement_options(CLI::App& app, Options& options) {
 }
 
 void add_criteria(CLI::App& app, std::string& criteria) {
-  app.add_option(
-         "--criteria", criteria,
-         "count the quads beyond limits, and name the worst: csr-fine, hypermesh-10mm, or a JSON file of limits")
+  app.add_option("--criteria", criteria,
+                 "count the quads beyond limits, and name the worst: csr-fine, hypermesh-10mm, growth, or a JSON file")
       ->type_name("NAME");
 }
 

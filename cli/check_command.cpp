@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 struct Verdict {
   Mesh mesh;
   Quality quality;
+  std::vector<LineQuality> lines;
   std::vector<MeshFault> faults;
   bool all_quad = false;                   ///< asked for
   std::optional<Failure> broken;           ///< of what the model asks for
@@ -56,6 +57,7 @@ Verdict verdict_on(const CheckArguments& arguments) {
   }
   verdict.mesh = read_mesh(arguments.mesh);
   verdict.quality = measure(verdict.mesh);
+  verdict.lines = measure_lines(verdict.mesh);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
   if (criteria) verdict.criteria = evaluate(verdict.mesh, *criteria, size);
@@ -80,7 +82,7 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   if (!arguments.model.empty() && !verdict.broken) out += "against the model: kept: " + arguments.model.string() + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
-  out += quality_table(verdict.quality);
+  out += quality_table(verdict.quality) + line_table(verdict.lines);
   return verdict.criteria ? out + criteria_table(arguments.criteria, *verdict.criteria) : out;
 }
 
@@ -97,6 +99,7 @@ Json json_of(const Verdict& verdict, const CheckArguments& arguments) {
     out["model"] = {{"file", arguments.model.string()}, {"kept", !verdict.broken}, {"broken", broken}};
   }
   out["quality"] = quadline::json_of(verdict.quality);
+  out["lines"] = quadline::json_of(verdict.lines);
   if (verdict.criteria) out["criteria"] = quadline::json_of(*verdict.criteria, arguments.criteria);
   return out;
 }

@@ -1,5 +1,6 @@
 #include "cli/quality_table.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "cli/console.hpp"
@@ -38,6 +39,8 @@ std::string before_and_after(const Quality& before, const Quality& after) {
     rows.push_back({"edge length / size, median", "", fixed(after.edge_to_size->median, 2)});
     rows.push_back({"edge length / size, greatest", "", fixed(after.edge_to_size->max, 2)});
   }
+  rows.push_back({"growth, 95 %", "", fixed(after.growth.p95, 2)});
+  rows.push_back({"growth, greatest", "", fixed(after.growth.max, 2)});
   rows.push_back(row("irregular nodes", [](const Quality& q) { return std::to_string(q.n_irregular); }));
   rows.back().push_back(share(after.n_irregular, after.n_nodes));
   return aligned(rows);
@@ -53,8 +56,32 @@ std::string quality_table(const Quality& quality) {
   rows.push_back(row_of("longest / shortest edge", quality.aspect, 2));
   rows.push_back(row_of("edge length", quality.edge_length, -1));
   if (quality.edge_to_size) rows.push_back(row_of("edge length / size", *quality.edge_to_size, 2));
+  rows.push_back(row_of("growth", quality.growth, 2));
   return aligned(rows) + "  irregular nodes: " + std::to_string(quality.n_irregular) + " (" +
          share(quality.n_irregular, quality.n_nodes) + ")\n";
+}
+
+std::string line_table(std::vector<LineQuality> lines) {
+  constexpr std::size_t kMost = 10;
+  std::erase_if(lines, [](const LineQuality& line) { return line.kind != CurveKind::Line || line.n_quads == 0; });
+  if (lines.empty()) return "";
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const LineQuality& a, const LineQuality& b) { return a.beta_min < b.beta_min; });
+  const std::size_t n_left_out = lines.size() - std::min(kMost, lines.size());
+  lines.resize(lines.size() - n_left_out);
+  std::vector<Row> rows = {{"line, the worst first", "edges", "quads", "beta least", "mean", "SJ least", "mean",
+                            "angles", "edge / size", "irregular", "rungs off"}};
+  for (const LineQuality& line : lines) {
+    const auto& r = line.edge_to_size;
+    rows.push_back({line.name, std::to_string(line.n_edges), std::to_string(line.n_quads), fixed(line.beta_min, 3),
+                    fixed(line.beta_mean, 3), fixed(line.scaled_jacobian_min, 3), fixed(line.scaled_jacobian_mean, 3),
+                    fixed(line.min_angle_deg, 0) + ".." + fixed(line.max_angle_deg, 0),
+                    r ? fixed(r->min, 2) + ".." + fixed(r->max, 2) : "-", std::to_string(line.n_irregular),
+                    line.rungs_off_deg ? fixed(*line.rungs_off_deg, 1) : "-"});
+  }
+  std::string out = aligned(rows);
+  if (n_left_out > 0) out += "  and " + counted(n_left_out, "better line", "better lines") + '\n';
+  return out;
 }
 
 }  // namespace quadline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "quadline/quality.hpp"
 
@@ -11,5 +12,8 @@ std::string before_and_after(const Quality& before, const Quality& after);
 
 /// Every measure with its percentiles.
 std::string quality_table(const Quality& quality);
+
+/// The lines among the curves, the worst by least beta first; of many the first ten. Empty without lines.
+std::string line_table(std::vector<LineQuality> lines);
 
 }  // namespace quadline

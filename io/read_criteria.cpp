@@ -45,7 +45,8 @@ void refuse_crossed(const Criteria& criteria, const std::string& file) {
 Criteria read_criteria(const std::string& name_or_file) {
   if (const auto named = named_criteria(name_or_file)) return *named;
   if (std::filesystem::path(name_or_file).extension() != ".json")
-    throw InputError("no criteria are called '" + name_or_file + "': use csr-fine, hypermesh-10mm or a .json file");
+    throw InputError("no criteria are called '" + name_or_file +
+                     "': use csr-fine, hypermesh-10mm, growth or a .json file");
   const nlohmann::json limits = parse_json(read_bytes(name_or_file), name_or_file);
   if (!limits.is_object()) throw InputError("expected an object of limits", Where{name_or_file, {}, {}});
   Criteria criteria;

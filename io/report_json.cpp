@@ -50,8 +50,34 @@ Json json_of(const Quality& quality) {
               {"min_angle_deg", json_of(quality.min_angle_deg)},
               {"max_angle_deg", json_of(quality.max_angle_deg)},
               {"aspect", json_of(quality.aspect)},
-              {"edge_length", json_of(quality.edge_length)}};
+              {"edge_length", json_of(quality.edge_length)},
+              {"growth", json_of(quality.growth)},
+              {"growth_limit", kGrowthLimit},
+              {"growth_over_limit", quality.n_growth_over}};
   if (quality.edge_to_size) out["edge_to_size"] = json_of(*quality.edge_to_size);
+  return out;
+}
+
+Json json_of(const std::vector<LineQuality>& lines) {
+  Json out = Json::array();
+  for (const LineQuality& line : lines) {
+    out.push_back({{"name", line.name},
+                   {"kind", line.kind == CurveKind::Outer  ? "outer"
+                            : line.kind == CurveKind::Hole ? "hole"
+                                                           : "line"},
+                   {"edges", line.n_edges},
+                   {"quads", line.n_quads},
+                   {"irregular_nodes", line.n_irregular},
+                   {"beta_mean", line.beta_mean},
+                   {"beta_min", line.beta_min},
+                   {"scaled_jacobian_mean", line.scaled_jacobian_mean},
+                   {"scaled_jacobian_min", line.scaled_jacobian_min},
+                   {"min_angle_deg", line.min_angle_deg},
+                   {"max_angle_deg", line.max_angle_deg}});
+    if (const auto& r = line.edge_to_size)
+      out.back()["edge_to_size"] = {{"min", r->min}, {"mean", r->mean}, {"max", r->max}};
+    if (line.rungs_off_deg) out.back()["rungs_off_deg"] = *line.rungs_off_deg;
+  }
   return out;
 }
 
@@ -107,6 +133,7 @@ std::string report_json(const Run& run) {
               {"findings", json_of(report.findings)},
               {"quality",
                {{"before_smoothing", json_of(report.before_smoothing)}, {"after_smoothing", json_of(report.quality)}}},
+              {"lines", json_of(report.lines)},
               {"stages", stages_of(run)},
               {"seconds", run.elapsed_s},
               {"peak_memory_bytes", peak},

@@ -38,6 +38,7 @@ std::string report_json(const Run& run);
 // Parts of it that other JSON output holds too.
 nlohmann::ordered_json json_of(Point p);
 nlohmann::ordered_json json_of(const Quality& quality);
+nlohmann::ordered_json json_of(const std::vector<LineQuality>& lines);
 nlohmann::ordered_json json_of(const std::vector<Finding>& findings);
 nlohmann::ordered_json json_of(const CriteriaResult& result, const std::string& name);
 /// As indented text; bytes that are not UTF-8 are replaced.

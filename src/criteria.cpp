@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geom/element.hpp"
+#include "quadline/quality.hpp"
 
 namespace quadline {
 
@@ -21,7 +22,7 @@ double skew_deg(const QuadPoints& p) {
 }
 
 // The values of one quad in the order of `criteria_fields`; lengths over the size are filled in by the caller.
-std::array<double, 12> values_of(const QuadPoints& p) {
+std::array<double, 13> values_of(const QuadPoints& p, double growth) {
   double low = 360, high = 0, shortest = distance(p[0], p[1]), longest = 0;
   std::array<double, 4> area{};  // twice that of the triangle at each corner: the Jacobian there
   for (std::size_t i = 0; i < 4; ++i) {
@@ -43,6 +44,7 @@ std::array<double, 12> values_of(const QuadPoints& p) {
           skew_deg(p),
           quad_area > 0 ? 1 - 2 * *least / quad_area : 1,
           quad_distortion(p),
+          growth,
           shortest,
           longest,
           shortest,
@@ -68,6 +70,7 @@ const std::vector<CriteriaField>& criteria_fields() {
                                                  {"max_skew_deg", &Criteria::max_skew_deg, false, false},
                                                  {"max_taper", &Criteria::max_taper, false, false},
                                                  {"min_beta", &Criteria::min_beta, true, false},
+                                                 {"max_growth", &Criteria::max_growth, false, false},
                                                  {"min_edge", &Criteria::min_edge, true, false},
                                                  {"max_edge", &Criteria::max_edge, false, false},
                                                  {"min_edge_to_size", &Criteria::min_edge_to_size, true, true},
@@ -81,6 +84,10 @@ std::optional<Criteria> named_criteria(std::string_view name) {
     c.min_angle_deg = 45;
     c.max_angle_deg = 135;
     c.max_aspect = 3;
+    return c;
+  }
+  if (name == "growth") {
+    c.max_growth = kGrowthLimit;
     return c;
   }
   if (name != "hypermesh-10mm") return std::nullopt;
@@ -105,11 +112,13 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     asked.push_back(f);
     result.limits.push_back({fields[f].name, *limit, size || !fields[f].to_size, 0, {}});
   }
+  std::vector<double> growth;
+  if (criteria.max_growth) growth = growth_of_quads(mesh);
   for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
     const auto& q = mesh.quads[i];
     const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
     const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const auto values = values_of(p);
+    const auto values = values_of(p, growth.empty() ? 1 : growth[i]);
     bool fails = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const CriteriaField& field = fields[asked[k]];

@@ -96,7 +96,9 @@ MeshResult mesh_domain(const Domain& domain, const Options& options, Report& rep
 
   result.mesh = flatten(mesh, domain);
   result.failure = clock.run("verify", [&] { return verify(result.mesh, domain, context); });
-  report.quality = measure(result.mesh, sizes_at_edges(result.mesh, size));
+  const std::vector<double> sizes = sizes_at_edges(result.mesh, size);
+  report.quality = measure(result.mesh, sizes);
+  report.lines = measure_lines(result.mesh, sizes);
   if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
   return result;
 }
@@ -133,6 +135,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
     if (!first.failure || first.mesh.quads.empty()) first = std::move(result);
   }
   report.quality = measure(first.mesh);
+  report.lines = measure_lines(first.mesh);
   first.report = std::move(report);
   return first;
 }

@@ -20,6 +20,7 @@ struct Criteria {
   std::optional<double> max_skew_deg{};         ///< 90 degrees less the angle between the lines of opposite mid-sides
   std::optional<double> max_taper{};            ///< 1 - least area of a corner's triangle over half the quad's area
   std::optional<double> min_beta{};             ///< distortion coefficient [Lee2003 eqs 1, 2]
+  std::optional<double> max_growth{};           ///< width over that of a neighbour, the greater over the lesser
   std::optional<double> min_edge{};             ///< shortest edge, model units
   std::optional<double> max_edge{};             ///< longest edge, model units
   std::optional<double> min_edge_to_size{};     ///< shortest edge over the target size
@@ -37,7 +38,7 @@ struct CriteriaField {
 /// All limits, in the order of the struct.
 const std::vector<CriteriaField>& criteria_fields();
 
-/// "csr-fine" or "hypermesh-10mm" (docs/measures.md gives figures and sources); empty for any other name.
+/// "csr-fine", "hypermesh-10mm" or "growth" (docs/measures.md gives figures and sources); empty for any other name.
 std::optional<Criteria> named_criteria(std::string_view name);
 
 /// A quad beyond a limit.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace quadline {
 struct Statistics {
   double min = 0, p1 = 0, p5 = 0, median = 0, p95 = 0, p99 = 0, max = 0, mean = 0;
 };
+
+/// What the sizes of neighbouring elements should not differ by more than.
+constexpr double kGrowthLimit = 1.5;
 
 /// Quality of the quads of a mesh.
 struct Quality {
@@ -28,7 +32,29 @@ struct Quality {
   Statistics max_angle_deg;                ///< greatest corner angle of each quad
   Statistics aspect;                       ///< longest over shortest edge of each quad, >= 1
   Statistics edge_length;                  ///< model units
+  Statistics growth;                       ///< ratio, >= 1, of the widths of two quads across the edge that they share
+  std::size_t n_growth_over = 0;           ///< such edges with a ratio above kGrowthLimit
   std::optional<Statistics> edge_to_size;  ///< edge length over the size field at its middle, where one is known
+};
+
+/// Least, mean and greatest edge length over the target size.
+struct LengthToSize {
+  double min = 0, mean = 0, max = 0;
+};
+
+/// Quality along one curve of a mesh: of the quads that have a node on it, and of its edges.
+struct LineQuality {
+  std::string name;
+  CurveKind kind = CurveKind::Line;
+  std::size_t n_edges = 0, n_quads = 0;
+  std::size_t n_irregular = 0;  ///< irregular nodes on it, as in `Quality`
+  double beta_mean = 0;         ///< geometric mean
+  double beta_min = 0;
+  double scaled_jacobian_mean = 0, scaled_jacobian_min = 0;
+  double min_angle_deg = 0, max_angle_deg = 0;  ///< of the corners of its quads
+  std::optional<LengthToSize> edge_to_size{};   ///< where the size is known
+  std::optional<double> rungs_off_deg{};  ///< mean of how far the free edges that leave it between its ends are from 90
+                                          ///< degrees to it; empty where there are none
 };
 
 /// Table 2 of [Lee2003]: "excellent", "good", "marginal" or "unacceptable".
@@ -41,10 +67,21 @@ double distortion(Point a, Point b, Point c, Point d);
 /// Every edge of the faces once, smaller node first, in ascending order: `n_edges x 2`.
 std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh);
 
+/// For each quad the greatest growth across its sides: the ratio, >= 1, of its width to that of the neighbour, where
+/// the width of a quad across a side is the distance between the middles of that side and of the opposite one. 1
+/// where it has no neighbours.
+std::vector<double> growth_of_quads(const Mesh& mesh);
+
 /// Measures the quads of a mesh.
 ///
 /// @param mesh  any mesh; triangles are counted, not measured.
 /// @param size  target size at the middle of every edge, in the order of `edges_of(mesh)`; empty: unknown.
 Quality measure(const Mesh& mesh, std::span<const double> size = {});
+
+/// Measures the mesh along each of its curves, in their order.
+///
+/// @param size  as in `measure`.
+/// Cost O(quads + n log n) for n quads and edges at curves.
+std::vector<LineQuality> measure_lines(const Mesh& mesh, std::span<const double> size = {});
 
 }  // namespace quadline

@@ -189,6 +189,11 @@ class Mesh(CommandLine):
             quality = report["quality"][when]
             self.assertLessEqual(quality["scaled_jacobian"]["min"], quality["scaled_jacobian"]["p5"])
         self.assertIn(quality["verdict"], ("excellent", "good"))
+        self.assertEqual([(line["name"], line["kind"]) for line in report["lines"]],
+                         [("outer-1", "outer"), ("hole-1", "hole"), ("stiffener", "line")])
+        for line in report["lines"]:
+            self.assertGreater(line["edges"], 0)
+            self.assertLessEqual(line["edge_to_size"]["min"], line["edge_to_size"]["mean"])
         stages = [stage["stage"] for stage in report["stages"]]
         self.assertEqual([stages[0], stages[-1]], ["read", "write"])
         self.assertIn("qmorph", stages)
@@ -415,7 +420,7 @@ class Check(CommandLine):
                          {"min_angle_deg": 45, "max_angle_deg": 135, "max_aspect": 3})
         self.assertEqual(criteria["failing"], 0)
         self.assertIn("csr-fine: 0 quads fail", self.run_it("check", out, "--criteria", "csr-fine").stdout)
-        self.assert_fails(2, "no criteria are called 'fine-csr': use csr-fine, hypermesh-10mm or a .json file", "check", out, "--criteria", "fine-csr")
+        self.assert_fails(2, "no criteria are called 'fine-csr': use csr-fine, hypermesh-10mm, growth or a .json file", "check", out, "--criteria", "fine-csr")
         limits = self.path("limits.json")
         for text, message in (('{"max_aspct": 2}', "/max_aspct: unknown limit 'max_aspct': did you mean 'max_aspect'?"),
                               ('{"min_edge": "1"}', "/min_edge: expected a number"),

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "quadline/quality.hpp"
+
 namespace quadline {
 namespace {
 
@@ -45,6 +47,17 @@ TEST(Criteria, CountsPerLimitAndInAllAndNamesThePlace) {
   EXPECT_NEAR(r.limits[0].worst[0].at.y, 0.5, 1e-12);
   EXPECT_EQ(r.limits[1].n_failing, 3u);
   EXPECT_EQ(r.limits[1].worst[0].quad, 0u);
+}
+
+TEST(Criteria, GrowthHasALimitOfItsOwn) {
+  Mesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {3, 0}, {0, 1}, {1, 1}, {3, 1}};
+  mesh.quads = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  EXPECT_EQ(named_criteria("growth")->max_growth, kGrowthLimit);
+  const CriteriaResult r = evaluate(mesh, *named_criteria("growth"));
+  EXPECT_EQ(r.n_failing, 2u);  // both sides of the shared edge
+  EXPECT_NEAR(r.limits.at(0).worst.at(0).value, 2, 1e-12);
+  EXPECT_EQ(evaluate(mesh, {.max_growth = 2}).n_failing, 0u);
 }
 
 TEST(Criteria, AValueAtItsLimitPassesAndAnUnknownSizeIsNotChecked) {

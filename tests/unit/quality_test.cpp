@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 #include "flatten.hpp"
 #include "unit/grid_patch.hpp"
@@ -116,6 +118,30 @@ TEST(Measure, EdgeLengthOverSize) {
   EXPECT_NEAR(q.edge_to_size->mean, 0.5, 1e-12);
 }
 
+// Four columns of widths 1, 1, 2 and 3 in a row: growth 1, 2 and 1.5 from each to the next.
+Mesh growing_row() {
+  Mesh mesh;
+  for (const double x : {0, 1, 2, 4, 7}) mesh.points.insert(mesh.points.end(), {{x, 0}, {x, 1}});
+  mesh.quads = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 6, 7, 5}, {6, 8, 9, 7}};
+  return mesh;
+}
+
+TEST(Measure, GrowthIsTheRatioOfWidthsAcrossASharedEdge) {
+  const Quality q = measure(growing_row());
+  EXPECT_NEAR(q.growth.min, 1, 1e-12);
+  EXPECT_NEAR(q.growth.median, 1.5, 1e-12);
+  EXPECT_NEAR(q.growth.max, 2, 1e-12);
+  EXPECT_EQ(q.n_growth_over, 1u);  // one at the limit passes
+  const std::vector<double> expected{1, 2, 2, 1.5};
+  EXPECT_EQ(growth_of_quads(growing_row()), expected);
+}
+
+TEST(Measure, GrowthLooksAcrossTheEdgeNotAlongIt) {
+  Mesh mesh = flat({.nx = 3, .ny = 2});
+  for (Point& p : mesh.points) p.y *= 7;  // slender quads, but every neighbour is alike
+  EXPECT_NEAR(measure(mesh).growth.max, 1, 1e-12);
+}
+
 TEST(Irregular, FourOddNodesWhereAnEdgeIsTurned) {
   EXPECT_EQ(measure(flat({.nx = 6, .ny = 5, .turned = {{2, 2}}})).n_irregular, 4u);
 }
@@ -141,6 +167,54 @@ TEST(Irregular, EachSideOfALineCounts) {
   mesh.quads.erase(mesh.quads.begin() + 2, mesh.quads.end());
   mesh.quads.push_back({4, 5, 9, 3});  // one quad in the half plane above node 4
   EXPECT_GT(measure(mesh).n_irregular, 0u);
+}
+
+const LineQuality& the_line(const std::vector<LineQuality>& lines) {
+  for (const LineQuality& line : lines)
+    if (line.kind == CurveKind::Line) return line;
+  throw std::logic_error("no line");
+}
+
+TEST(MeasureLines, OnAGridALineIsPerfect) {
+  const Mesh mesh = flat({.nx = 6, .ny = 4, .lines = {{{{1, 2}, {5, 2}}}}});
+  const auto lines = measure_lines(mesh);
+  ASSERT_EQ(lines.size(), 2u);  // the loop, then the line
+  EXPECT_EQ(lines[0].n_edges, 20u);
+  EXPECT_EQ(lines[0].n_quads, 16u);
+  EXPECT_NEAR(lines[0].rungs_off_deg.value(), 0, 1e-9);
+  const LineQuality line = the_line(lines);
+  EXPECT_EQ(line.name, "line-1");
+  EXPECT_EQ(line.n_edges, 4u);
+  EXPECT_EQ(line.n_quads, 12u);
+  EXPECT_EQ(line.n_irregular, 0u);
+  EXPECT_NEAR(line.beta_min, 1, 1e-12);
+  EXPECT_NEAR(line.scaled_jacobian_min, 1, 1e-12);
+  EXPECT_NEAR(line.rungs_off_deg.value(), 0, 1e-9);  // the edge ahead of an end is no rung
+  EXPECT_FALSE(line.edge_to_size);
+}
+
+TEST(MeasureLines, AShearShowsInTheRungsAndTheLengthInTheSize) {
+  Mesh mesh = flat({.nx = 6, .ny = 4, .lines = {{{{1, 2}, {5, 2}}}}});
+  for (Point& p : mesh.points) p = {p.x + 0.5 * p.y, p.y};
+  std::vector<double> size;
+  for (const auto& edge : edges_of(mesh)) size.push_back(mesh.points[edge[0]].x < 2.5 ? 2 : 1);
+  const LineQuality line = the_line(measure_lines(mesh, size));
+  const double off = std::atan(0.5) * 180 / std::numbers::pi;
+  EXPECT_NEAR(line.rungs_off_deg.value(), off, 1e-9);
+  EXPECT_NEAR(line.min_angle_deg, 90 - off, 1e-9);
+  EXPECT_NEAR(line.max_angle_deg, 90 + off, 1e-9);
+  EXPECT_NEAR(line.scaled_jacobian_mean, std::cos(std::atan(0.5)), 1e-12);
+  EXPECT_NEAR(line.edge_to_size.value().min, 0.5, 1e-12);  // only its first edge starts left of 2.5
+  EXPECT_NEAR(line.edge_to_size.value().max, 1, 1e-12);
+  EXPECT_NEAR(line.edge_to_size.value().mean, 0.875, 1e-12);
+}
+
+TEST(MeasureLines, IrregularNodesCountWhereTheyAre) {
+  // A turned edge beside the line leaves odd nodes on it, one away from it none.
+  const shapes::Spot beside{2, 2}, away{2, 0};
+  const std::vector<std::array<shapes::Spot, 2>> line{{{{1, 2}, {5, 2}}}};
+  EXPECT_EQ(the_line(measure_lines(flat({.nx = 6, .ny = 5, .lines = line, .turned = {beside}}))).n_irregular, 2u);
+  EXPECT_EQ(the_line(measure_lines(flat({.nx = 6, .ny = 5, .lines = line, .turned = {away}}))).n_irregular, 0u);
 }
 
 }  // namespace
