@@ -26,17 +26,21 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
   return app.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
 }
 
-/// An option with a few words to choose from.
+/// An option with a few words to choose from, two at least.
 template <class Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& help, Choice& choice,
-                        const std::pair<const char*, Choice>& first, const std::pair<const char*, Choice>& second) {
-  const auto read = [name, &choice, first, second](const std::string& text) {
-    if (text != first.first && text != second.first)
-      throw InputError(name + ": expected '" + first.first + "' or '" + second.first + "', found '" + text + "'");
-    choice = (text == first.first ? first : second).second;
+                        const std::vector<std::pair<std::string, Choice>>& words) {
+  std::string type = words[0].first, expected = "'" + words[0].first + "'";
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    type += "|" + words[i].first;
+    expected += (i + 1 < words.size() ? ", '" : " or '") + words[i].first + "'";
+  }
+  const auto read = [name, &choice, words, expected](const std::string& text) {
+    for (const auto& [word, meaning] : words)
+      if (word == text) return void(choice = meaning);
+    throw InputError(name + ": expected " + expected + ", found '" + text + "'");
   };
-  return app.add_option_function<std::string>(name, read, help)
-      ->type_name(std::string(first.first) + "|" + second.first);
+  return app.add_option_function<std::string>(name, read, help)->type_name(type);
 }
 
 void add_model(CLI::App& app, std::filesystem::path& model) {
@@ -100,10 +104,12 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("FILE");
   add_arrangement_options(*mesh, arguments.options);
   add_choice<LineFronts>(*mesh, "--lines", "where the front on a line constraint starts; default two-sided",
-                         arguments.options.lines, {"one-sided", LineFronts::OneSided},
-                         {"two-sided", LineFronts::TwoSided});
+                         arguments.options.lines,
+                         {{"one-sided", LineFronts::OneSided}, {"two-sided", LineFronts::TwoSided}});
   add_choice<Triangles>(*mesh, "--triangles", "who makes the triangles that are merged; default front",
-                        arguments.options.triangles, {"delaunay", Triangles::Delaunay}, {"front", Triangles::Front});
+                        arguments.options.triangles, {{"delaunay", Triangles::Delaunay}, {"front", Triangles::Front}});
+  add_choice<Method>(*mesh, "--method", "how the triangles become quads; default qmorph", arguments.options.method,
+                     {{"qmorph", Method::QMorph}, {"merge", Method::Merge}, {"split", Method::Split}});
   const auto set_threads = [&arguments](double value) {
     if (!(value >= 1 && value <= 1024) || value != std::floor(value)) return false;
     arguments.threads = static_cast<unsigned>(value);
@@ -112,7 +118,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_number(*mesh, "--threads", "default: all cores; the mesh does not depend on it", "a whole number from 1 to 1024",
              set_threads);
   const auto set_max_quads = [&arguments](double value) {
-    arguments.max_quads = value;
+    arguments.options.max_quads = value;
     return value >= 1;
   };
   add_number(*mesh, "--max-quads", "refuse models that are expected to need more; default 5e7", "a number of 1 or more",

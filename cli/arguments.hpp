@@ -18,7 +18,6 @@ struct MeshArguments {
   std::string criteria;              ///< as `read_criteria` takes them; empty: none
   Options options;
   unsigned threads = 1;
-  double max_quads = 50e6;  ///< refuse what is expected to become larger
   bool json = false;        ///< the report on standard output
   bool quiet = false;
   bool keep_bad = false;  ///< write a mesh that breaks the promise too

@@ -6,6 +6,7 @@
 #include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
 #include "domain/arrange.hpp"
+#include "domain/expected_quads.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
 

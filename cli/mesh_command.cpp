@@ -181,7 +181,7 @@ int run(const MeshArguments& arguments) {
   Context context;
   context.threads = arguments.threads;
   context.is_cancelled = is_interrupted;
-  refuse_too_large(run.model, run.options, arguments.max_quads, context);
+  refuse_too_large(run.model, run.options, run.options.max_quads, context);
   context.on_progress = [&](std::string_view stage, double fraction) {
     watch.enter(stage);
     bar.show(stage, fraction);

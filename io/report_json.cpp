@@ -14,6 +14,10 @@ Json json_of(const Statistics& s) {
           {"p95", s.p95}, {"p99", s.p99}, {"max", s.max}, {"mean", s.mean}};
 }
 
+const char* name_of(Method method) {
+  return method == Method::Merge ? "merge" : method == Method::Split ? "split" : "qmorph";
+}
+
 Json options_of(const Run& run) {
   const Options& options = run.options;
   Json out{{"size", options.size.value_or(run.model.size)},
@@ -21,6 +25,7 @@ Json options_of(const Run& run) {
            {"edges_per_circle", options.edges_per_circle},
            {"lines", options.lines == LineFronts::OneSided ? "one-sided" : "two-sided"},
            {"triangles", options.triangles == Triangles::Delaunay ? "delaunay" : "front"},
+           {"method", name_of(options.method)},
            {"threads", run.threads}};
   if (options.tolerance) out["tolerance"] = *options.tolerance;
   return out;

@@ -16,6 +16,13 @@ enum class Triangles {
   Front,     ///< an advancing front of triangles
 };
 
+/// How the triangles become quads.
+enum class Method {
+  QMorph,  ///< an advancing front [Owen1999, Lee2003]
+  Merge,   ///< pairs at twice the size, the best first; then all elements are halved [Lo1989, Rank1993]
+  Split,   ///< triangles at twice the size, each halved into three quads
+};
+
 /// What the caller may choose. The defaults suit every model.
 struct Options {
   std::optional<double> size{};  ///< target edge length instead of the model's, model units, > 0
@@ -28,6 +35,9 @@ struct Options {
   double growth = 1.3;  ///< largest ratio of the sizes of neighbouring edges, > 1
   LineFronts lines = LineFronts::TwoSided;
   Triangles triangles = Triangles::Front;
+  Method method = Method::QMorph;
+  /// Fall-backs that are expected to need more quads are left out, and what needs more all the same is no result.
+  double max_quads = 50e6;
 };
 
 }  // namespace quadline

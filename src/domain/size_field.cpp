@@ -16,6 +16,14 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+SizeField SizeField::doubled() const {
+  SizeField field = *this;
+  for (std::array<double, 4>& corners : field.corners_)
+    for (double& h : corners) h *= 2;
+  for (std::uint32_t& n : field.least_edges_) n = (n + 1) / 2;
+  return field;
+}
+
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context) {
   context.progress("sizing", 0);
   double largest = 0, least = kNone;

@@ -21,14 +21,15 @@ bool stays_positive(const WorkMesh& mesh, NodeId v, Point p) {
   return positive;
 }
 
-// Evens out the distances of free nodes, and keeps the triangles Delaunay.
-void relax(WorkMesh& mesh) {
+// Evens out the distances of free nodes, and keeps the triangles Delaunay. Marched cells stay: it would bend their
+// rows.
+void relax(WorkMesh& mesh, const std::function<bool(CellId)>& is_marched) {
   const Topology& topo = mesh.topo();
   std::vector<EdgeId> suspects;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
       const NodeId v(i);
-      if (!topo.is_live(v) || !mesh.is_free(v)) continue;
+      if (!topo.is_live(v) || !mesh.is_free(v) || is_marched(mesh.cell(topo.face(topo.out(v))))) continue;
       Point mean;
       int n = 0;
       topo.for_each_out(v, [&](HalfId h) {
@@ -46,13 +47,15 @@ void relax(WorkMesh& mesh) {
 
 }  // namespace
 
-void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, Context& context) {
+void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, const CellSet& other,
+                         Context& context) {
   const bool front = triangles == Triangles::Front;
-  if (front) march_from_constraints(mesh, size, context);
+  const auto is_marched = [&](CellId c) { return front != other.contains(c); };
+  if (front || !other.empty()) march_from_constraints(mesh, size, is_marched, context);
   subdivide_edges(mesh, size, front ? kMarchShare : 0, context);
   mesh.drop_outside();
   mesh.sort_in_space();
-  if (!front) relax(mesh);  // it would bend the rows of the march
+  if (!front || !other.empty()) relax(mesh, is_marched);
   QUADLINE_DEBUG_CHECK(defect(mesh).empty());
 }
 

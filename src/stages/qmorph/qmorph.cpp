@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "base/check.hpp"
+#include "base/step_limit.hpp"
 #include "stages/qmorph/morph.hpp"
 
 namespace quadline {
@@ -66,17 +66,19 @@ class FrontQueue {
 
 class Driver {
  public:
-  Driver(WorkMesh& mesh, const SizeField& size, LineFronts lines) : mesh_(mesh), morph_(mesh, size), queue_(morph_) {
+  Driver(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out)
+      : mesh_(mesh), left_out_(left_out), morph_(mesh, size), queue_(morph_) {
     if (lines == LineFronts::OneSided) find_dormant();
     push_all();
   }
 
   void run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
     const std::size_t n_start = mesh_.topo().face_count();
-    std::size_t steps = 0;
+    StepLimit limit("the front", kMostSteps * (n_start + 1));
     bool first_layer = true, half_way = true;
     while (next_step()) {
-      if (++steps % 1024 == 0) {
+      limit.step();
+      if (limit.steps() % 1024 == 0) {
         context.progress("qmorph", 1 - static_cast<double>(2 * mesh_.topo().face_count() - n_start) /
                                            static_cast<double>(n_start + 1));
       }
@@ -89,7 +91,7 @@ class Driver {
         if (observe) observe("half-way", mesh_);
       }
     }
-    morph_.complete();
+    morph_.complete(left_out_);
   }
 
  private:
@@ -136,11 +138,13 @@ class Driver {
     return true;
   }
 
+  bool is_wanted(HalfId h) const { return is_front(mesh_, h) && !left_out_.contains(mesh_.cell(mesh_.topo().face(h))); }
+
   void push_touched() {
     const Topology& topo = mesh_.topo();
     pushed_.clear();
     const auto push = [&](HalfId h) {
-      if (!is_front(mesh_, h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
+      if (!is_wanted(h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
       pushed_.push_back(h);
       queue_.push(h);
     };
@@ -158,7 +162,7 @@ class Driver {
     for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
       if (!topo.is_live(EdgeId(i))) continue;
       for (int side = 0; side < 2; ++side)
-        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_dormant(h)) queue_.push(h);
+        if (const HalfId h = half_of(EdgeId(i), side); is_wanted(h) && !is_dormant(h)) queue_.push(h);
     }
   }
 
@@ -176,7 +180,9 @@ class Driver {
   }
 
   static constexpr int kMostRetries = 8;
+  static constexpr std::size_t kMostSteps = 64;  // per triangle at the start
   WorkMesh& mesh_;
+  const CellSet& left_out_;
   Morph morph_;
   FrontQueue queue_;
   IdVector<HalfId, std::uint8_t> dormant_;
@@ -187,10 +193,10 @@ class Driver {
 
 }  // namespace
 
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines,
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out,
                     const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
-  Driver(mesh, size, lines).run(observe, context);
+  Driver(mesh, size, lines, left_out).run(observe, context);
   mesh.sort_in_space();
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string_view>
 
+#include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
@@ -12,12 +13,15 @@ namespace quadline {
 
 /// Merges the triangles to quads along an advancing front: Q-Morph [Owen1999] with line constraints [Lee2003].
 ///
+/// @param left_out  cells that stay triangles.
 /// @param observe  called after the first layer of quads and half-way, with a name; may be empty.
 /// @pre   triangles only; an even number of edges round every cell.
-/// @post  quads only; every constraint is an edge still. Quads may be badly shaped, even inverted, where the front
+/// @post  quads only, but for the cells left out; every constraint is an edge still. Quads may be badly shaped, even
+/// inverted, where the front
 ///        closed in haste: clean-up and smoothing mend that.
+/// @throws InternalError  the edges round a cell are odd in number, or the front does not end.
 /// Cost O(n log n).
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines,
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out,
                     const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context);
 
 }  // namespace quadline

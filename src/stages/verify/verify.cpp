@@ -24,6 +24,16 @@ constexpr double kSameNode = 0.01;   // in tolerances: nodes nearer than this st
 constexpr double kSquare = 4;        // side of the squares by which near nodes are sought, in the same distance
 constexpr double kAreaError = 1e-9;  // relative to the square of the domain's diagonal
 
+// The first corner that is no left turn, -1: none. Four left turns, each below a half turn, add up to one full turn:
+// such a quad is simple and convex.
+int reflex_corner(const QuadPoints& p) {
+  for (int i = 0; i < 4; ++i)
+    if (orientation(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) <= 0) return i;
+  return -1;
+}
+
+bool is_flat(const QuadPoints& p) { return !(scaled_jacobian(p) > kFlatSine); }
+
 bool is_before(Point p, Point q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
 class Verifier {
@@ -55,7 +65,6 @@ class Verifier {
   }
   Point point(NodeIndex v) const { return mesh_.points[v]; }
 
-  // Four left turns, each below a half turn, add up to one full turn: such a quad is simple and convex.
   void check_quads() {
     if (!mesh_.triangles.empty()) return fail("a triangle is left", point(mesh_.triangles[0][0]));
     if (mesh_.quads.empty()) return fail("the mesh has no quads", domain_.box.lo);
@@ -65,9 +74,8 @@ class Verifier {
       for (const NodeIndex v : q)
         if (v >= mesh_.points.size()) return fail("a quad names a node that is not there", domain_.box.lo);
       const QuadPoints p{point(q[0]), point(q[1]), point(q[2]), point(q[3])};
-      for (int i = 0; i < 4; ++i)
-        if (orientation(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) <= 0) return fail("a quad is not convex", p[i]);
-      if (!(scaled_jacobian(p) > kFlatSine)) return fail("a quad is flat", p[0]);
+      if (const int i = reflex_corner(p); i >= 0) return fail("a quad is not convex", p[i]);
+      if (is_flat(p)) return fail("a quad is flat", p[0]);
     }
   }
 
@@ -236,6 +244,8 @@ class Verifier {
 };
 
 }  // namespace
+
+bool is_sound(const QuadPoints& quad) { return reflex_corner(quad) < 0 && !is_flat(quad); }
 
 std::optional<Failure> verify(const Mesh& mesh, const Domain& domain, Context& context) {
   return Verifier(mesh, domain).run(context);

@@ -3,11 +3,15 @@
 #include <optional>
 
 #include "domain/domain.hpp"
+#include "geom/element.hpp"
 #include "quadline/context.hpp"
 #include "quadline/generate.hpp"
 #include "quadline/mesh.hpp"
 
 namespace quadline {
+
+/// Counter-clockwise, strictly convex (exactly), and not so flat that it is of no use to a solver.
+bool is_sound(const QuadPoints& quad);
 
 /// Checks every promise on the flat mesh, without the connectivity that made it.
 ///

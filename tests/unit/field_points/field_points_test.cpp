@@ -33,7 +33,7 @@ struct Triangulated {
         mesh(discretize(domain, size, context)) {
     triangulate(mesh, domain, context);
   }
-  void fill(Triangles how) { insert_field_points(mesh, size, how, context); }
+  void fill(Triangles how) { insert_field_points(mesh, size, how, {}, context); }
 
   std::size_t n_constraints() const {
     std::size_t n = 0;

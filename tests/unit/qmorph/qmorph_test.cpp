@@ -16,7 +16,7 @@ class QMorph : public testing::TestWithParam<LineFronts> {
 
 TEST_P(QMorph, FindsTheGrid) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4);
-  merge_to_quads(mesh, size_, GetParam(), {}, context_);
+  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(mesh.topo().node_count(), 35u);
@@ -25,7 +25,7 @@ TEST_P(QMorph, FindsTheGrid) {
 
 TEST_P(QMorph, FindsTheGridRoundAnOpenLine) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{15, 16}, {16, 17}, {17, 18}});
-  merge_to_quads(mesh, size_, GetParam(), {}, context_);
+  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(shapes::n_constraints(mesh), 20u + 3);
@@ -36,14 +36,14 @@ TEST_P(QMorph, FindsTheGridRoundAnOpenLine) {
 
 TEST_P(QMorph, LineThatTouchesTheBoundary) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{3, 10}, {10, 17}});
-  merge_to_quads(mesh, size_, GetParam(), {}, context_);
+  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
 }
 
 TEST_P(QMorph, CrossingLines) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{15, 16}, {16, 17}, {17, 18}, {9, 16}, {16, 23}});
-  merge_to_quads(mesh, size_, GetParam(), {}, context_);
+  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(shapes::n_constraints(mesh), 20u + 5);
@@ -57,7 +57,7 @@ TEST(QMorphOneSided, FirstLayerStandsOnTheLeftOfTheLineOnly) {
   Context context;
   bool seen = false;
   merge_to_quads(
-      mesh, size, LineFronts::OneSided,
+      mesh, size, LineFronts::OneSided, {},
       [&](std::string_view name, const WorkMesh& now) {
         if (name != "first-layer") return;
         seen = true;
@@ -73,7 +73,7 @@ TEST(QMorph, StopsWhenAsked) {
   const SizeField size = shapes::unit_size();
   Context context;
   context.is_cancelled = [] { return true; };
-  EXPECT_THROW(merge_to_quads(mesh, size, LineFronts::TwoSided, {}, context), Cancelled);
+  EXPECT_THROW(merge_to_quads(mesh, size, LineFronts::TwoSided, {}, {}, context), Cancelled);
 }
 
 }  // namespace

@@ -1,0 +1,143 @@
+#include "fallback.hpp"
+
+#include <algorithm>
+
+#include "domain/size_locate.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace quadline {
+
+namespace {
+
+constexpr std::size_t kMostAttempts = 9;
+
+Point centre_of(const WorkMesh& mesh, FaceId f) {
+  const Polygon p = mesh.topo().polygon(f);
+  Point sum;
+  for (const NodeId v : p.corners()) sum += mesh.point(v);
+  return (1.0 / p.n) * sum;
+}
+
+double area_of(const WorkMesh& mesh, FaceId f) {
+  const QuadPoints p = mesh.quad_points(f);
+  return 0.5 * cross(p[2] - p[0], p[3] - p[1]);
+}
+
+// The middle of the largest quad of each cell.
+IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cells) {
+  IdVector<CellId, FaceId> largest(n_cells);
+  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
+    const FaceId f(i);
+    if (!mesh.topo().is_live(f)) continue;
+    FaceId& best = largest[mesh.cell(f)];
+    if (!best.valid() || area_of(mesh, f) > area_of(mesh, best)) best = f;
+  }
+  IdVector<CellId, Point> places(n_cells);
+  for (std::size_t i = 0; i < n_cells; ++i)
+    if (largest[CellId(i)].valid()) places[CellId(i)] = centre_of(mesh, largest[CellId(i)]);
+  return places;
+}
+
+}  // namespace
+
+std::vector<Trouble> unsound_cells(const WorkMesh& mesh) {
+  const Topology& topo = mesh.topo();
+  std::vector<Trouble> found;
+  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
+    const FaceId f(i);
+    if (!topo.is_live(f) || (!topo.is_triangle(f) && is_sound(mesh.quad_points(f)))) continue;
+    found.push_back({mesh.cell(f), "a quad is not convex, or flat", centre_of(mesh, f)});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Trouble& t, const Trouble& u) { return t.cell < u.cell; });
+  const auto is_same = [](const Trouble& t, const Trouble& u) { return t.cell == u.cell; };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+  return found;
+}
+
+std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> place, const std::string& reason) {
+  CellSet cells;
+  if (place) {
+    for (const Domain::Curve& curve : domain.curves) {
+      if (distance(point_at(curve.piece, project(curve.piece, *place)), *place) > domain.tolerance) continue;
+      for (const CellId c : {curve.left, curve.right})
+        if (c.valid()) cells.insert(c);
+    }
+    if (cells.empty())
+      if (const CellId c = CellLocator(domain).at(*place); c.valid()) cells.insert(c);
+  }
+  const bool all = cells.empty();
+  std::vector<Trouble> troubles;
+  for (std::size_t i = 0; i < domain.cells.count(); ++i)
+    if (all || cells.contains(CellId(i))) troubles.push_back({CellId(i), reason, place.value_or(domain.box.lo)});
+  return troubles;
+}
+
+bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
+  if (++attempts_ > kMostAttempts) return false;
+  const std::size_t least = halves() ? kFirstHalving : 0;
+  bool advanced = false;
+  for (const Trouble& t : troubles) {
+    if (rung_[t.cell] + 1 == std::size(kRungs)) continue;
+    rung_[t.cell] = std::max(rung_[t.cell] + 1, least);
+    if (why_[t.cell].empty()) why_[t.cell] = t.reason;
+    advanced = true;
+  }
+  return advanced;
+}
+
+CellSet FallbackPlan::other_triangles() const {
+  CellSet cells;
+  for (std::size_t i = 0; i < rung_.count(); ++i)
+    if (rung(CellId(i)).other_triangles) cells.insert(CellId(i));
+  return cells;
+}
+
+CellSet FallbackPlan::halved() const {
+  CellSet cells;
+  for (std::size_t i = 0; i < rung_.count(); ++i)
+    if (rung(CellId(i)).is_halved) cells.insert(CellId(i));
+  return cells;
+}
+
+Domain FallbackPlan::domain() const {
+  Domain domain = domain_;
+  const auto factor = [&](CellId c) { return c.valid() ? rung(c).refinement : 1; };
+  IdVector<VertexId, double> at_vertex(domain.vertices.count(), 1);
+  for (std::size_t i = 0; i < domain.cells.count(); ++i) {
+    Domain::Cell& cell = domain.cells[CellId(i)];
+    cell.size *= factor(CellId(i));
+    for (const VertexId v : cell.lone_points) at_vertex[v] = factor(CellId(i));
+  }
+  for (Domain::Curve& curve : domain.curves) {
+    const double least = std::min(factor(curve.left), factor(curve.right));
+    curve.size *= least;
+    for (const VertexId v : {curve.tail, curve.head}) at_vertex[v] = std::min(at_vertex[v], least);
+  }
+  for (Domain::PointUse& point : domain.points) point.size *= at_vertex[point.vertex];
+  return domain;
+}
+
+std::string FallbackPlan::name_of(CellId c) const {
+  return "a cell of region '" + domain_.regions[domain_.cells[c].region] + "'";
+}
+
+std::vector<Finding> FallbackPlan::findings(const WorkMesh& mesh) const {
+  std::vector<Finding> found;
+  if (std::all_of(rung_.begin(), rung_.end(), [](std::size_t rung) { return rung == 0; })) return found;
+  const IdVector<CellId, Point> places = places_in_cells(mesh, rung_.count());
+  for (std::size_t i = 0; i < rung_.count(); ++i) {
+    const CellId c(i);
+    if (rung_[c] == 0) continue;
+    found.push_back({name_of(c) + " is meshed " + rung(c).what + ", because as asked " + why_[c], {}, places[c]});
+  }
+  return found;
+}
+
+std::vector<Finding> FallbackPlan::failures(const std::vector<Trouble>& troubles) const {
+  std::vector<Finding> found;
+  for (const Trouble& t : troubles)
+    found.push_back({name_of(t.cell) + " has no valid mesh, whatever was tried: " + t.reason, {}, t.at});
+  return found;
+}
+
+}  // namespace quadline

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "domain/cell_set.hpp"
+#include "domain/domain.hpp"
+#include "mesh/work_mesh.hpp"
+#include "quadline/report.hpp"
+
+namespace quadline {
+
+/// How a cell is meshed. The first rung is as asked; where that breaks the promise, the cell goes to the next one.
+struct Rung {
+  bool other_triangles;
+  double refinement;  ///< of the sizes in the cell and round it
+  bool is_halved;     ///< meshed with triangles at twice the size, each halved into three quads
+  const char* what;
+};
+constexpr Rung kRungs[] = {{false, 1, false, "as asked"},
+                           {true, 1, false, "with the other triangles"},
+                           {false, 0.7, false, "with sizes 0.7 of those asked"},
+                           {true, 0.5, false, "with the other triangles and half the sizes"},
+                           {false, 1, true, "by halving triangles"},
+                           {true, 0.5, true, "by halving triangles at half the sizes"},
+                           {false, 0.25, true, "by halving triangles at a quarter of the sizes"}};
+
+constexpr std::size_t kFirstHalving = 4;
+
+/// A cell where a mesh breaks the promise.
+struct Trouble {
+  CellId cell;
+  std::string reason;  ///< one line
+  Point at;
+};
+
+/// The cells where a quad is not sound or a triangle is left, each with the first such place; in the order of the
+/// cells.
+std::vector<Trouble> unsound_cells(const WorkMesh& mesh);
+
+/// The cells at a place: those beside the curves within the tolerance of it, else the one that holds it; all cells
+/// where there is none, or the place is unknown.
+std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> place, const std::string& reason);
+
+/// Which cells are meshed otherwise than asked, and why.
+class FallbackPlan {
+ public:
+  explicit FallbackPlan(const Domain& domain) : domain_(domain), rung_(domain.cells.count(), 0), why_(rung_.count()) {}
+
+  /// Takes the cells in trouble a rung further, straight to the halving ones where some are there already.
+  /// @return  false: nothing is left to be tried.
+  bool advance(const std::vector<Trouble>& troubles);
+  bool halves() const { return !halved().empty(); }
+
+  CellSet other_triangles() const;
+  CellSet halved() const;
+  /// The domain with the sizes of the plan.
+  Domain domain() const;
+  /// A finding for each cell that was not meshed as asked, at a place inside it.
+  std::vector<Finding> findings(const WorkMesh& mesh) const;
+  /// A finding for each cell where nothing helped.
+  std::vector<Finding> failures(const std::vector<Trouble>& troubles) const;
+
+ private:
+  const Rung& rung(CellId c) const { return kRungs[rung_[c]]; }
+  std::string name_of(CellId c) const;
+
+  const Domain& domain_;
+  IdVector<CellId, std::size_t> rung_;
+  IdVector<CellId, std::string> why_;  ///< the first reason
+  std::size_t attempts_ = 1;
+};
+
+}  // namespace quadline

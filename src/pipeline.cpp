@@ -1,0 +1,127 @@
+#include "pipeline.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "domain/size_field.hpp"
+#include "flatten.hpp"
+#include "stages/cleanup/cleanup.hpp"
+#include "stages/discretize/discretize.hpp"
+#include "stages/field_points/field_points.hpp"
+#include "stages/halve/halve.hpp"
+#include "stages/pair/pair.hpp"
+#include "stages/qmorph/qmorph.hpp"
+#include "stages/smooth/smooth.hpp"
+#include "stages/triangulate/triangulate.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace quadline {
+
+namespace {
+
+// Target sizes at the middles of the edges, for the measure of edge length over size.
+std::vector<double> sizes_at_edges(const Mesh& mesh, const SizeField& size) {
+  std::vector<double> sizes;
+  for (const auto& [a, b] : edges_of(mesh)) sizes.push_back(size.at(midpoint(mesh.points[a], mesh.points[b])));
+  return sizes;
+}
+
+// One way through the stages, from the size field to the verifier.
+class Pipeline {
+ public:
+  Pipeline(const FallbackPlan& plan, const Options& options, Report& report, Context& context)
+      : domain_(plan.domain()),
+        plan_(plan),
+        options_(options),
+        report_(report),
+        context_(context),
+        clock_(report, context) {}
+
+  Attempt run() {
+    const SizeField size = clock_.run("sizing", [&] { return make_size_field(domain_, options_, context_); });
+    WorkMesh mesh = quads(size);
+    snapshot("before-smoothing", mesh);
+    report_.before_smoothing = measure(flatten(mesh, domain_));
+    std::optional<WorkMesh> raw;
+    if (halves()) raw = mesh;
+    clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
+    snapshot("clean-up", mesh);
+    Attempt attempt = smoothed(mesh, size);
+    if (!attempt.result.failure || !raw) return attempt;
+    // Halved elements are convex: what clean-up spoiled, smoothing alone does not.
+    Attempt second = smoothed(*raw, size);
+    return second.result.failure ? attempt : second;
+  }
+
+ private:
+  bool halves() const { return options_.method != Method::QMorph || plan_.halves(); }
+
+  void snapshot(std::string_view name, const WorkMesh& mesh) {
+    if (context_.on_snapshot) context_.on_snapshot(name, flatten(mesh, domain_));
+  }
+
+  // From the nodes on the curves to quads of all kinds.
+  WorkMesh quads(const SizeField& final_size) {
+    const SizeField size = halves() ? final_size.doubled() : final_size;
+    WorkMesh mesh = clock_.run("discretize", [&] { return discretize(domain_, size, context_); });
+    clock_.run("triangulate", [&] { triangulate(mesh, domain_, context_); });
+    snapshot("triangulation", mesh);
+    clock_.run("field points",
+               [&] { insert_field_points(mesh, size, options_.triangles, plan_.other_triangles(), context_); });
+    snapshot("field-points", mesh);
+    if (options_.method == Method::QMorph) {
+      const auto observe = [this](std::string_view name, const WorkMesh& now) { snapshot(name, now); };
+      clock_.run("qmorph", [&] { merge_to_quads(mesh, size, options_.lines, plan_.halved(), observe, context_); });
+    } else if (options_.method == Method::Merge) {
+      clock_.run("pair", [&] { pair_triangles(mesh, plan_.halved(), context_); });
+    }
+    if (halves()) {
+      snapshot("before-halving", mesh);
+      clock_.run("halve", [&] { halve(mesh, domain_, context_); });
+    }
+    return mesh;
+  }
+
+  Attempt smoothed(WorkMesh& mesh, const SizeField& size) {
+    Attempt attempt;
+    MeshResult& result = attempt.result;
+    clock_.run("smooth", [&] { smooth(mesh, domain_, size, {}, context_); });
+    result.mesh = flatten(mesh, domain_);
+    result.failure = clock_.run("verify", [&] { return verify(result.mesh, domain_, context_); });
+    if (context_.on_snapshot) context_.on_snapshot("smoothed", result.mesh);
+    if (result.failure) {
+      attempt.troubles = unsound_cells(mesh);
+      if (attempt.troubles.empty()) attempt.troubles = troubles_at(domain_, result.failure->at, result.failure->reason);
+      return attempt;
+    }
+    const std::vector<double> sizes = sizes_at_edges(result.mesh, size);
+    report_.quality = measure(result.mesh, sizes);
+    report_.lines = measure_lines(result.mesh, sizes);
+    attempt.findings = plan_.findings(mesh);
+    return attempt;
+  }
+
+  const Domain domain_;  // with the sizes of the plan
+  const FallbackPlan& plan_;
+  const Options& options_;
+  Report& report_;
+  Context& context_;
+  StageClock clock_;
+};
+
+}  // namespace
+
+Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, Report& report, Context& context) {
+  try {
+    return Pipeline(plan, options, report, context).run();
+  } catch (const InternalError& error) {
+    Attempt attempt;
+    attempt.result.failure = Failure{"internal", error.what(), error.where().point.value_or(Point{})};
+    attempt.troubles = troubles_at(plan.domain(), error.where().point, error.what());
+    return attempt;
+  }
+}
+
+}  // namespace quadline

@@ -1,0 +1,122 @@
+// The conforming split of mixed meshes [Rank1993]. A straight triangle gives three convex quads, a convex quad four,
+// however thin they are.
+#include "stages/halve/halve.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "geom/predicates.hpp"
+
+namespace quadline {
+
+namespace {
+
+bool is_convex(const QuadPoints& p) {
+  for (int i = 0; i < 4; ++i)
+    if (orientation(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) <= 0) return false;
+  return true;
+}
+
+// Cuts quads that are not convex along the diagonal that lies inside.
+void cut_concave_quads(WorkMesh& mesh) {
+  const Topology& topo = mesh.topo();
+  std::vector<FaceId> made;
+  for (std::size_t i = 0, n = topo.face_capacity(); i < n; ++i) {
+    const FaceId f(i);
+    if (!topo.is_live(f) || topo.is_triangle(f) || is_convex(mesh.quad_points(f))) continue;
+    const QuadPoints p = mesh.quad_points(f);
+    const Polygon q = topo.polygon(f);
+    for (int k = 0; k < 2; ++k) {
+      if (orientation(p[k], p[k + 1], p[k + 2]) <= 0 || orientation(p[k], p[k + 2], p[(k + 3) % 4]) <= 0) continue;
+      if (topo.find(q.nodes[k], q.nodes[k + 2]).valid()) continue;  // two faces would lie on one side of it
+      const std::array<Polygon, 2> halves{Polygon(q.nodes[k], q.nodes[k + 1], q.nodes[k + 2]),
+                                          Polygon(q.nodes[k], q.nodes[k + 2], q.nodes[(k + 3) % 4])};
+      mesh.replace_cavity(std::array{f}, halves, made);
+      break;
+    }
+  }
+}
+
+class Halving {
+ public:
+  Halving(WorkMesh& mesh, const Domain& domain) : mesh_(mesh), domain_(domain) {}
+
+  void run() {
+    keep_nodes();
+    for (std::size_t i = 0; i < topo().edge_capacity(); ++i) add_middle(EdgeId(i));
+    for (std::size_t i = 0; i < topo().face_capacity(); ++i) add_quads(FaceId(i));
+    mesh_.build(std::move(points_), std::move(tags_), quads_);
+    for (std::size_t i = 0; i < cells_.size(); ++i) mesh_.set_cell(FaceId(i), cells_[i]);
+    for (const Segment& s : segments_) mesh_.set_curve(edge_of(topo().find(s.a, s.b)), s.curve);
+    mesh_.segments = std::move(segments_);
+  }
+
+ private:
+  const Topology& topo() const { return mesh_.topo(); }
+
+  NodeId add_node(Point p, const NodeTag& tag) {
+    points_.push_back(p);
+    tags_.push_back(tag);
+    return NodeId(points_.size() - 1);
+  }
+
+  void keep_nodes() {
+    for (std::size_t i = 0; i < topo().node_capacity(); ++i) add_node(mesh_.point(NodeId(i)), mesh_.tag(NodeId(i)));
+  }
+
+  void add_middle(EdgeId e) {
+    const NodeId a = topo().tail(half_of(e)), b = topo().head(half_of(e));
+    if (!mesh_.is_constraint(e)) {
+      middle_.push_back(add_node(midpoint(mesh_.point(a), mesh_.point(b)), {}));
+      return;
+    }
+    const CurveId c = mesh_.curve(e);
+    const CurvePiece& piece = domain_.curves[c].piece;
+    const double sa = project(piece, mesh_.point(a)), sb = project(piece, mesh_.point(b)), s = 0.5 * (sa + sb);
+    const NodeId m = add_node(point_at(piece, s), {NodeKind::OnCurve, c, s, VertexId()});
+    middle_.push_back(m);
+    segments_.push_back({sa < sb ? a : b, m, c});
+    segments_.push_back({m, sa < sb ? b : a, c});
+  }
+
+  void add_quads(FaceId f) {
+    std::array<NodeId, 4> corner, middle;
+    int n = 0;
+    Point sum;
+    topo().for_each_half(f, [&](HalfId h) {
+      corner[n] = topo().tail(h);
+      middle[n] = middle_[edge_of(h)];
+      sum += points_[middle[n].value];
+      ++n;
+    });
+    const NodeId centre = add_node((1.0 / n) * sum, {});
+    for (int k = 0; k < n; ++k) {
+      quads_.push_back({corner[k], middle[k], centre, middle[(k + n - 1) % n]});
+      cells_.push_back(mesh_.cell(f));
+    }
+  }
+
+  WorkMesh& mesh_;
+  const Domain& domain_;
+  std::vector<Point> points_;
+  std::vector<NodeTag> tags_;
+  std::vector<Polygon> quads_;
+  std::vector<CellId> cells_;
+  IdVector<EdgeId, NodeId> middle_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+void halve(WorkMesh& mesh, const Domain& domain, Context& context) {
+  context.progress("halve", 0);
+  cut_concave_quads(mesh);
+  mesh.compact();
+  Halving(mesh, domain).run();
+  mesh.sort_in_space();
+  context.progress("halve", 1);
+}
+
+}  // namespace quadline
