@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "domain/arrange.hpp"
+#include "domain/corners.hpp"
 #include "domain/size_field.hpp"
 #include "flatten.hpp"
 #include "stages/cleanup/cleanup.hpp"
@@ -99,6 +100,7 @@ MeshResult mesh_domain(const Domain& domain, const Options& options, Report& rep
   const std::vector<double> sizes = sizes_at_edges(result.mesh, size);
   report.quality = measure(result.mesh, sizes);
   report.lines = measure_lines(result.mesh, sizes);
+  report.worst = worst_quads(result.mesh, report.corners);
   if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
   return result;
 }
@@ -113,6 +115,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   report.n_curves = domain.curves.count();
   report.n_vertices = domain.vertices.count();
   report.findings = domain.findings;
+  report.corners = corners_of(domain);
 
   MeshResult first;
   for (const Attempt& attempt : kAttempts) {
@@ -136,6 +139,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   }
   report.quality = measure(first.mesh);
   report.lines = measure_lines(first.mesh);
+  report.worst = worst_quads(first.mesh, report.corners);
   first.report = std::move(report);
   return first;
 }
