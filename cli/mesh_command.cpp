@@ -191,7 +191,7 @@ int run(const MeshArguments& arguments) {
   watch.leave();
   watch.correct(run.result.report.stages);
 
-  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.options.size.value_or(run.model.size));
+  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.result.edge_sizes);
 
   const auto& failure = run.result.failure;
   const bool writes = !failure || arguments.keep_bad;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geom/element.hpp"
+#include "mesh_sides.hpp"
 #include "quadline/quality.hpp"
 
 namespace quadline {
@@ -21,9 +22,10 @@ double skew_deg(const QuadPoints& p) {
   return 90 - std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegrees;
 }
 
-// The values of one quad in the order of `criteria_fields`; lengths over the size are filled in by the caller.
-std::array<double, 13> values_of(const QuadPoints& p, double growth) {
+// The values of one quad in the order of `criteria_fields`, with the target sizes at its sides.
+std::array<double, 13> values_of(const QuadPoints& p, const std::array<double, 4>& size, double growth) {
   double low = 360, high = 0, shortest = distance(p[0], p[1]), longest = 0;
+  double least_to_size = shortest / size[0], most_to_size = 0;
   std::array<double, 4> area{};  // twice that of the triangle at each corner: the Jacobian there
   for (std::size_t i = 0; i < 4; ++i) {
     const Point before = p[(i + 3) % 4], after = p[(i + 1) % 4];
@@ -32,6 +34,8 @@ std::array<double, 13> values_of(const QuadPoints& p, double growth) {
     high = std::max(high, angle);
     shortest = std::min(shortest, length);
     longest = std::max(longest, length);
+    least_to_size = std::min(least_to_size, length / size[i]);
+    most_to_size = std::max(most_to_size, length / size[i]);
     area[i] = twice_area(before, p[i], after);
   }
   const auto [least, most] = std::minmax_element(area.begin(), area.end());
@@ -47,8 +51,8 @@ std::array<double, 13> values_of(const QuadPoints& p, double growth) {
           growth,
           shortest,
           longest,
-          shortest,
-          longest};
+          least_to_size,
+          most_to_size};
 }
 
 void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool is_least) {
@@ -102,7 +106,11 @@ std::optional<Criteria> named_criteria(std::string_view name) {
   return c;
 }
 
-CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size) {
+namespace {
+
+// `sizes_of(i)`: target sizes at the sides of quad i, 1 where they are not known.
+template <class SizesOf>
+CriteriaResult evaluate_sized(const Mesh& mesh, const Criteria& criteria, bool has_sizes, SizesOf sizes_of) {
   CriteriaResult result;
   std::vector<std::size_t> asked;
   const auto& fields = criteria_fields();
@@ -110,7 +118,7 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     const auto& limit = criteria.*fields[f].limit;
     if (!limit) continue;
     asked.push_back(f);
-    result.limits.push_back({fields[f].name, *limit, size || !fields[f].to_size, 0, {}});
+    result.limits.push_back({fields[f].name, *limit, has_sizes || !fields[f].to_size, 0, {}});
   }
   std::vector<double> growth;
   if (criteria.max_growth) growth = growth_of_quads(mesh);
@@ -118,13 +126,13 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     const auto& q = mesh.quads[i];
     const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
     const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const auto values = values_of(p, growth.empty() ? 1 : growth[i]);
+    const auto values = values_of(p, sizes_of(i), growth.empty() ? 1 : growth[i]);
     bool fails = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const CriteriaField& field = fields[asked[k]];
       LimitResult& limit = result.limits[k];
       if (!limit.is_checked) continue;
-      const double value = values[asked[k]] / (field.to_size ? *size : 1);
+      const double value = values[asked[k]];
       const double beyond = field.is_least ? limit.limit - value : value - limit.limit;
       if (beyond <= kRoundOff * std::abs(limit.limit)) continue;
       fails = true;
@@ -134,6 +142,25 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     result.n_failing += fails;
   }
   return result;
+}
+
+}  // namespace
+
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size) {
+  std::array<double, 4> sizes{};
+  sizes.fill(size.value_or(1));
+  return evaluate_sized(mesh, criteria, size.has_value(), [&](std::size_t) { return sizes; });
+}
+
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::span<const double> size) {
+  if (size.empty() || !(criteria.min_edge_to_size || criteria.max_edge_to_size)) return evaluate(mesh, criteria);
+  const EdgeNumbers numbers(edges_of(mesh), mesh.points.size());
+  return evaluate_sized(mesh, criteria, true, [&](std::size_t i) {
+    const auto& q = mesh.quads[i];
+    std::array<double, 4> sizes{};
+    for (std::size_t k = 0; k < 4; ++k) sizes[k] = size[numbers.find(q[k], q[(k + 1) % 4])];
+    return sizes;
+  });
 }
 
 }  // namespace quadline

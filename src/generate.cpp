@@ -97,9 +97,9 @@ MeshResult mesh_domain(const Domain& domain, const Options& options, Report& rep
 
   result.mesh = flatten(mesh, domain);
   result.failure = clock.run("verify", [&] { return verify(result.mesh, domain, context); });
-  const std::vector<double> sizes = sizes_at_edges(result.mesh, size);
-  report.quality = measure(result.mesh, sizes);
-  report.lines = measure_lines(result.mesh, sizes);
+  result.edge_sizes = sizes_at_edges(result.mesh, size);
+  report.quality = measure(result.mesh, result.edge_sizes);
+  report.lines = measure_lines(result.mesh, result.edge_sizes);
   report.worst = worst_quads(result.mesh, report.corners);
   if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
   return result;

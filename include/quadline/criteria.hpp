@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,8 +64,13 @@ struct CriteriaResult {
 };
 
 /// Holds the quads of a mesh against limits; triangles are not looked at.
-/// @param size  target size of the mesh, model units, > 0; empty: limits over it are not checked.
+/// @param size  target size of the whole mesh, model units, > 0; empty: limits over it are not checked.
 /// Cost O(quads).
 CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size = {});
+
+/// The same with local sizes.
+/// @param size  target size at the middle of every edge, in the order of `edges_of(mesh)` (MeshResult::edge_sizes);
+///              empty: unknown.
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::span<const double> size);
 
 }  // namespace quadline
