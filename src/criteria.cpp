@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geom/element.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kWorst = 5;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kRoundOff = 1e-12;  // relative; a right angle computed as 90 - 1e-14 is not below 90
 
 double skew_deg(const QuadPoints& p) {
@@ -66,19 +68,20 @@ void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool i
 }  // namespace
 
 const std::vector<CriteriaField>& criteria_fields() {
-  static const std::vector<CriteriaField> fields{{"min_angle_deg", &Criteria::min_angle_deg, true, false},
-                                                 {"max_angle_deg", &Criteria::max_angle_deg, false, false},
-                                                 {"max_aspect", &Criteria::max_aspect, false, false},
-                                                 {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false},
-                                                 {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false},
-                                                 {"max_skew_deg", &Criteria::max_skew_deg, false, false},
-                                                 {"max_taper", &Criteria::max_taper, false, false},
-                                                 {"min_beta", &Criteria::min_beta, true, false},
-                                                 {"max_growth", &Criteria::max_growth, false, false},
-                                                 {"min_edge", &Criteria::min_edge, true, false},
-                                                 {"max_edge", &Criteria::max_edge, false, false},
-                                                 {"min_edge_to_size", &Criteria::min_edge_to_size, true, true},
-                                                 {"max_edge_to_size", &Criteria::max_edge_to_size, false, true}};
+  static const std::vector<CriteriaField> fields{
+      {"min_angle_deg", &Criteria::min_angle_deg, true, false, 0, 360},
+      {"max_angle_deg", &Criteria::max_angle_deg, false, false, 0, 360},
+      {"max_aspect", &Criteria::max_aspect, false, false, 1, kEndless},
+      {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false, -1, 1},
+      {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false, -1, 1},
+      {"max_skew_deg", &Criteria::max_skew_deg, false, false, 0, 90},
+      {"max_taper", &Criteria::max_taper, false, false, 0, kEndless},
+      {"min_beta", &Criteria::min_beta, true, false, 0, 1},
+      {"max_growth", &Criteria::max_growth, false, false, 1, kEndless},
+      {"min_edge", &Criteria::min_edge, true, false, 0, kEndless},
+      {"max_edge", &Criteria::max_edge, false, false, 0, kEndless},
+      {"min_edge_to_size", &Criteria::min_edge_to_size, true, true, 0, kEndless},
+      {"max_edge_to_size", &Criteria::max_edge_to_size, false, true, 0, kEndless}};
   return fields;
 }
 

@@ -32,8 +32,9 @@ struct Criteria {
 struct CriteriaField {
   std::string_view name;
   std::optional<double> Criteria::* limit;
-  bool is_least;  ///< values below it fail, not values above
-  bool to_size;   ///< needs the target size
+  bool is_least;     ///< values below it fail, not values above
+  bool to_size;      ///< needs the target size
+  double low, high;  ///< where limits that mean anything lie; `high` may be infinity
 };
 
 /// All limits, in the order of the struct.
