@@ -9,6 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/quality_table.hpp"
 #include "domain/arrange.hpp"
+#include "domain/corners.hpp"
 #include "io/mesh_faults.hpp"
 #include "io/mesh_io.hpp"
 #include "io/read_criteria.hpp"
@@ -28,6 +29,8 @@ struct Verdict {
   Mesh mesh;
   Quality quality;
   std::vector<LineQuality> lines;
+  std::vector<CellCorner> corners;  ///< of the model, if there is one
+  std::vector<WorstQuad> worst;
   std::vector<MeshFault> faults;
   bool all_quad = false;                   ///< asked for
   std::optional<Failure> broken;           ///< of what the model asks for
@@ -57,6 +60,8 @@ Verdict verdict_on(const CheckArguments& arguments) {
   }
   verdict.mesh = read_mesh(arguments.mesh);
   verdict.quality = measure(verdict.mesh);
+  if (domain) verdict.corners = corners_of(*domain);
+  verdict.worst = worst_quads(verdict.mesh, verdict.corners);
   verdict.lines = measure_lines(verdict.mesh);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
@@ -82,7 +87,8 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   if (!arguments.model.empty() && !verdict.broken) out += "against the model: kept: " + arguments.model.string() + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
-  out += quality_table(verdict.quality) + line_table(verdict.lines);
+  out += quality_table(verdict.quality) + corner_line(verdict.corners, verdict.quality) + worst_table(verdict.worst) +
+         line_table(verdict.lines);
   return verdict.criteria ? out + criteria_table(arguments.criteria, *verdict.criteria) : out;
 }
 
@@ -99,6 +105,8 @@ Json json_of(const Verdict& verdict, const CheckArguments& arguments) {
     out["model"] = {{"file", arguments.model.string()}, {"kept", !verdict.broken}, {"broken", broken}};
   }
   out["quality"] = quadline::json_of(verdict.quality);
+  if (!arguments.model.empty()) out["corners"] = quadline::json_of(verdict.corners, verdict.quality);
+  out["worst"] = quadline::json_of(verdict.worst);
   out["lines"] = quadline::json_of(verdict.lines);
   if (verdict.criteria) out["criteria"] = quadline::json_of(*verdict.criteria, arguments.criteria);
   return out;

@@ -154,7 +154,7 @@ std::string summary(const Run& run) {
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
   out += on_lines(run.result.mesh);
   out += before_and_after(report.before_smoothing, report.quality);
-  out += line_table(report.lines);
+  out += corner_line(report.corners, report.quality) + worst_table(report.worst) + line_table(report.lines);
   if (!run.criteria_name.empty()) out += criteria_table(run.criteria_name, run.criteria);
   for (const fs::path& file : run.files) out += "written: " + file.string() + '\n';
   return out;
@@ -191,7 +191,7 @@ int run(const MeshArguments& arguments) {
   watch.leave();
   watch.correct(run.result.report.stages);
 
-  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.options.size.value_or(run.model.size));
+  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.result.edge_sizes);
 
   const auto& failure = run.result.failure;
   const bool writes = !failure || arguments.keep_bad;

@@ -61,6 +61,16 @@ std::string quality_table(const Quality& quality) {
          share(quality.n_irregular, quality.n_nodes) + ")\n";
 }
 
+std::string corner_line(const std::vector<CellCorner>& corners, const Quality& quality) {
+  const auto least = std::min_element(corners.begin(), corners.end(),
+                                      [](const CellCorner& a, const CellCorner& b) { return a.sj_bound < b.sj_bound; });
+  if (least == corners.end()) return "";
+  std::string out = "  corners of the model allow a least scaled Jacobian of " + fixed(least->sj_bound, 3);
+  if (least->sj_bound > 1e-9) out += ", reached " + fixed(quality.scaled_jacobian.min / least->sj_bound, 3) + " of it";
+  return out + ": " + counted(least->quads, "quad", "quads") + " in " + fixed(least->angle_deg, 1) + " degrees at (" +
+         rounded(least->at.x, 6) + ", " + rounded(least->at.y, 6) + ")\n";
+}
+
 std::string line_table(std::vector<LineQuality> lines) {
   constexpr std::size_t kMost = 10;
   std::erase_if(lines, [](const LineQuality& line) { return line.kind != CurveKind::Line || line.n_quads == 0; });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/nearest_name.hpp"
+#include "io/number_text.hpp"
 #include "io/parse_json.hpp"
 #include "io/read_bytes.hpp"
 #include "quadline/errors.hpp"
@@ -26,6 +27,16 @@ const CriteriaField* field_called(const std::string& name) {
   const std::string nearest = nearest_name(name, known);
   throw InputError("unknown limit '" + name +
                        "': " + (nearest.empty() ? "docs/measures.md lists them" : "did you mean '" + nearest + "'?"),
+                   where);
+}
+
+void refuse_out_of_range(double value, const CriteriaField& field, const Where& where) {
+  if (value >= field.low && value <= field.high) return;
+  std::string low, high;
+  append_number(low, field.low);
+  append_number(high, field.high);
+  throw InputError(std::isinf(field.high) ? "expected a number of " + low + " or more"
+                                          : "expected a number from " + low + " to " + high,
                    where);
 }
 
@@ -51,10 +62,12 @@ Criteria read_criteria(const std::string& name_or_file) {
   if (!limits.is_object()) throw InputError("expected an object of limits", Where{name_or_file, {}, {}});
   Criteria criteria;
   for (const auto& [name, value] : limits.items()) {
+    if (name.starts_with("x-") || name == "$schema") continue;
     const Where where{name_or_file, "/" + name, {}};
     const CriteriaField* field = field_called(name);
     if (!field) refuse_name(name, where);
     if (!value.is_number()) throw InputError("expected a number", where);
+    refuse_out_of_range(value.get<double>(), *field, where);
     criteria.*field->limit = value.get<double>();
   }
   refuse_crossed(criteria, name_or_file);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace quadline {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kForcedBelow = 0.5 * std::numbers::sqrt2;  // the sine of 45 degrees
 
 Json json_of(const Statistics& s) {
   return {{"min", s.min}, {"p1", s.p1},   {"p5", s.p5},   {"median", s.median},
@@ -86,6 +89,33 @@ Json json_of(const std::vector<LineQuality>& lines) {
   return out;
 }
 
+Json json_of(const std::vector<CellCorner>& corners, const Quality& quality) {
+  Json forced = Json::array();
+  for (const CellCorner& corner : corners) {
+    if (corner.sj_bound > kForcedBelow - 1e-9) continue;
+    forced.push_back({{"at", json_of(corner.at)},
+                      {"angle_deg", corner.angle_deg},
+                      {"quads", corner.quads},
+                      {"best_angle_deg", corner.best_angle_deg},
+                      {"sj_bound", corner.sj_bound}});
+  }
+  const double bound = jacobian_bound(corners), least = quality.scaled_jacobian.min;
+  Json over;
+  if (bound > 1e-9) over = least / bound;
+  return {{"sj_bound", bound}, {"sj_min", least}, {"sj_min_over_bound", over}, {"forced", forced}};
+}
+
+Json json_of(const std::vector<WorstQuad>& worst) {
+  Json out = Json::array();
+  for (const WorstQuad& quad : worst)
+    out.push_back({{"quad", quad.quad + 1},
+                   {"at", json_of(quad.at)},
+                   {"value", quad.value},
+                   {"scaled_jacobian", quad.scaled_jacobian},
+                   {"sj_bound", quad.sj_bound}});
+  return out;
+}
+
 Json json_of(const std::vector<Finding>& findings) {
   Json out = Json::array();
   for (const Finding& finding : findings)
@@ -138,6 +168,8 @@ std::string report_json(const Run& run) {
               {"findings", json_of(report.findings)},
               {"quality",
                {{"before_smoothing", json_of(report.before_smoothing)}, {"after_smoothing", json_of(report.quality)}}},
+              {"corners", json_of(report.corners, report.quality)},
+              {"worst", json_of(report.worst)},
               {"lines", json_of(report.lines)},
               {"stages", stages_of(run)},
               {"seconds", run.elapsed_s},

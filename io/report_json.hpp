@@ -39,6 +39,9 @@ std::string report_json(const Run& run);
 nlohmann::ordered_json json_of(Point p);
 nlohmann::ordered_json json_of(const Quality& quality);
 nlohmann::ordered_json json_of(const std::vector<LineQuality>& lines);
+/// The corners whose bound is below the sine of 45 degrees, and the mesh's least scaled Jacobian against all bounds.
+nlohmann::ordered_json json_of(const std::vector<CellCorner>& corners, const Quality& quality);
+nlohmann::ordered_json json_of(const std::vector<WorstQuad>& worst);
 nlohmann::ordered_json json_of(const std::vector<Finding>& findings);
 nlohmann::ordered_json json_of(const CriteriaResult& result, const std::string& name);
 /// As indented text; bytes that are not UTF-8 are replaced.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geom/element.hpp"
+#include "mesh_sides.hpp"
 #include "quadline/quality.hpp"
 
 namespace quadline {
@@ -14,6 +16,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kWorst = 5;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kRoundOff = 1e-12;  // relative; a right angle computed as 90 - 1e-14 is not below 90
 
 double skew_deg(const QuadPoints& p) {
@@ -21,9 +24,10 @@ double skew_deg(const QuadPoints& p) {
   return 90 - std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegrees;
 }
 
-// The values of one quad in the order of `criteria_fields`; lengths over the size are filled in by the caller.
-std::array<double, 13> values_of(const QuadPoints& p, double growth) {
+// The values of one quad in the order of `criteria_fields`, with the target sizes at its sides.
+std::array<double, 13> values_of(const QuadPoints& p, const std::array<double, 4>& size, double growth) {
   double low = 360, high = 0, shortest = distance(p[0], p[1]), longest = 0;
+  double least_to_size = shortest / size[0], most_to_size = 0;
   std::array<double, 4> area{};  // twice that of the triangle at each corner: the Jacobian there
   for (std::size_t i = 0; i < 4; ++i) {
     const Point before = p[(i + 3) % 4], after = p[(i + 1) % 4];
@@ -32,6 +36,8 @@ std::array<double, 13> values_of(const QuadPoints& p, double growth) {
     high = std::max(high, angle);
     shortest = std::min(shortest, length);
     longest = std::max(longest, length);
+    least_to_size = std::min(least_to_size, length / size[i]);
+    most_to_size = std::max(most_to_size, length / size[i]);
     area[i] = twice_area(before, p[i], after);
   }
   const auto [least, most] = std::minmax_element(area.begin(), area.end());
@@ -47,8 +53,8 @@ std::array<double, 13> values_of(const QuadPoints& p, double growth) {
           growth,
           shortest,
           longest,
-          shortest,
-          longest};
+          least_to_size,
+          most_to_size};
 }
 
 void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool is_least) {
@@ -62,19 +68,20 @@ void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool i
 }  // namespace
 
 const std::vector<CriteriaField>& criteria_fields() {
-  static const std::vector<CriteriaField> fields{{"min_angle_deg", &Criteria::min_angle_deg, true, false},
-                                                 {"max_angle_deg", &Criteria::max_angle_deg, false, false},
-                                                 {"max_aspect", &Criteria::max_aspect, false, false},
-                                                 {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false},
-                                                 {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false},
-                                                 {"max_skew_deg", &Criteria::max_skew_deg, false, false},
-                                                 {"max_taper", &Criteria::max_taper, false, false},
-                                                 {"min_beta", &Criteria::min_beta, true, false},
-                                                 {"max_growth", &Criteria::max_growth, false, false},
-                                                 {"min_edge", &Criteria::min_edge, true, false},
-                                                 {"max_edge", &Criteria::max_edge, false, false},
-                                                 {"min_edge_to_size", &Criteria::min_edge_to_size, true, true},
-                                                 {"max_edge_to_size", &Criteria::max_edge_to_size, false, true}};
+  static const std::vector<CriteriaField> fields{
+      {"min_angle_deg", &Criteria::min_angle_deg, true, false, 0, 360},
+      {"max_angle_deg", &Criteria::max_angle_deg, false, false, 0, 360},
+      {"max_aspect", &Criteria::max_aspect, false, false, 1, kEndless},
+      {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false, -1, 1},
+      {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false, -1, 1},
+      {"max_skew_deg", &Criteria::max_skew_deg, false, false, 0, 90},
+      {"max_taper", &Criteria::max_taper, false, false, 0, kEndless},
+      {"min_beta", &Criteria::min_beta, true, false, 0, 1},
+      {"max_growth", &Criteria::max_growth, false, false, 1, kEndless},
+      {"min_edge", &Criteria::min_edge, true, false, 0, kEndless},
+      {"max_edge", &Criteria::max_edge, false, false, 0, kEndless},
+      {"min_edge_to_size", &Criteria::min_edge_to_size, true, true, 0, kEndless},
+      {"max_edge_to_size", &Criteria::max_edge_to_size, false, true, 0, kEndless}};
   return fields;
 }
 
@@ -102,7 +109,11 @@ std::optional<Criteria> named_criteria(std::string_view name) {
   return c;
 }
 
-CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size) {
+namespace {
+
+// `sizes_of(i)`: target sizes at the sides of quad i, 1 where they are not known.
+template <class SizesOf>
+CriteriaResult evaluate_sized(const Mesh& mesh, const Criteria& criteria, bool has_sizes, SizesOf sizes_of) {
   CriteriaResult result;
   std::vector<std::size_t> asked;
   const auto& fields = criteria_fields();
@@ -110,7 +121,7 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     const auto& limit = criteria.*fields[f].limit;
     if (!limit) continue;
     asked.push_back(f);
-    result.limits.push_back({fields[f].name, *limit, size || !fields[f].to_size, 0, {}});
+    result.limits.push_back({fields[f].name, *limit, has_sizes || !fields[f].to_size, 0, {}});
   }
   std::vector<double> growth;
   if (criteria.max_growth) growth = growth_of_quads(mesh);
@@ -118,13 +129,13 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     const auto& q = mesh.quads[i];
     const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
     const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const auto values = values_of(p, growth.empty() ? 1 : growth[i]);
+    const auto values = values_of(p, sizes_of(i), growth.empty() ? 1 : growth[i]);
     bool fails = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const CriteriaField& field = fields[asked[k]];
       LimitResult& limit = result.limits[k];
       if (!limit.is_checked) continue;
-      const double value = values[asked[k]] / (field.to_size ? *size : 1);
+      const double value = values[asked[k]];
       const double beyond = field.is_least ? limit.limit - value : value - limit.limit;
       if (beyond <= kRoundOff * std::abs(limit.limit)) continue;
       fails = true;
@@ -134,6 +145,25 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
     result.n_failing += fails;
   }
   return result;
+}
+
+}  // namespace
+
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size) {
+  std::array<double, 4> sizes{};
+  sizes.fill(size.value_or(1));
+  return evaluate_sized(mesh, criteria, size.has_value(), [&](std::size_t) { return sizes; });
+}
+
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::span<const double> size) {
+  if (size.empty() || !(criteria.min_edge_to_size || criteria.max_edge_to_size)) return evaluate(mesh, criteria);
+  const EdgeNumbers numbers(edges_of(mesh), mesh.points.size());
+  return evaluate_sized(mesh, criteria, true, [&](std::size_t i) {
+    const auto& q = mesh.quads[i];
+    std::array<double, 4> sizes{};
+    for (std::size_t k = 0; k < 4; ++k) sizes[k] = size[numbers.find(q[k], q[(k + 1) % 4])];
+    return sizes;
+  });
 }
 
 }  // namespace quadline

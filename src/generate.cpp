@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "domain/arrange.hpp"
+#include "domain/corners.hpp"
 #include "domain/expected_quads.hpp"
 #include "fallback.hpp"
 #include "pipeline.hpp"
@@ -18,6 +19,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   report.n_curves = domain.curves.count();
   report.n_vertices = domain.vertices.count();
   report.findings = domain.findings;
+  report.corners = corners_of(domain);
 
   FallbackPlan plan(domain);
   Attempt last = attempt_mesh(plan, options, report, context);
@@ -35,6 +37,7 @@ MeshResult generate(const Model& model, const Options& options, Context& context
     last.result = std::move(first);
     report.quality = measure(last.result.mesh);
     report.lines = measure_lines(last.result.mesh);
+    report.worst = worst_quads(last.result.mesh, report.corners);
   }
   report.findings.insert(report.findings.end(), found.begin(), found.end());
   last.result.report = std::move(report);

@@ -96,9 +96,10 @@ class Pipeline {
       if (attempt.troubles.empty()) attempt.troubles = troubles_at(domain_, result.failure->at, result.failure->reason);
       return attempt;
     }
-    const std::vector<double> sizes = sizes_at_edges(result.mesh, size);
-    report_.quality = measure(result.mesh, sizes);
-    report_.lines = measure_lines(result.mesh, sizes);
+    result.edge_sizes = sizes_at_edges(result.mesh, size);
+    report_.quality = measure(result.mesh, result.edge_sizes);
+    report_.lines = measure_lines(result.mesh, result.edge_sizes);
+    report_.worst = worst_quads(result.mesh, report_.corners);
     attempt.findings = plan_.findings(mesh);
     return attempt;
   }

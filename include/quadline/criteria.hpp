@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,8 +32,9 @@ struct Criteria {
 struct CriteriaField {
   std::string_view name;
   std::optional<double> Criteria::* limit;
-  bool is_least;  ///< values below it fail, not values above
-  bool to_size;   ///< needs the target size
+  bool is_least;     ///< values below it fail, not values above
+  bool to_size;      ///< needs the target size
+  double low, high;  ///< where limits that mean anything lie; `high` may be infinity
 };
 
 /// All limits, in the order of the struct.
@@ -63,8 +65,13 @@ struct CriteriaResult {
 };
 
 /// Holds the quads of a mesh against limits; triangles are not looked at.
-/// @param size  target size of the mesh, model units, > 0; empty: limits over it are not checked.
+/// @param size  target size of the whole mesh, model units, > 0; empty: limits over it are not checked.
 /// Cost O(quads).
 CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optional<double> size = {});
+
+/// The same with local sizes.
+/// @param size  target size at the middle of every edge, in the order of `edges_of(mesh)` (MeshResult::edge_sizes);
+///              empty: unknown.
+CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::span<const double> size);
 
 }  // namespace quadline

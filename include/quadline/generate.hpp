@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "quadline/context.hpp"
 #include "quadline/mesh.hpp"
@@ -21,6 +22,8 @@ struct Failure {
 struct MeshResult {
   Mesh mesh;  ///< the best mesh so far where `failure` is set
   Report report;
+  std::vector<double> edge_sizes;  ///< target size at the middle of each of edges_of(mesh), model units; may be empty
+                                   ///< where `failure` is set
   std::optional<Failure> failure;  ///< empty: valid, all quadrilaterals, every constraint in it
 };
 

@@ -37,6 +37,25 @@ struct Quality {
   std::optional<Statistics> edge_to_size;  ///< edge length over the size field at its middle, where one is known
 };
 
+/// A corner of a cell, between two curves, in which quads cannot all have right angles: shared by the number of quads
+/// that suits it best, it gives each the best angle, whose sine no mesh of the model can pass.
+struct CellCorner {
+  Point at;
+  Point from;            ///< unit direction of the curve that has the corner on its left
+  double angle_deg = 0;  ///< 0..360; 360 round the end of a line
+  unsigned quads = 1;    ///< that share it at best
+  double best_angle_deg = 0;
+  double sj_bound = 0;  ///< upper bound on the least scaled Jacobian
+};
+
+/// One of the quads that are farthest from what can be had.
+struct WorstQuad {
+  std::size_t quad = 0;  ///< index into Mesh::quads
+  Point at;              ///< mean of its corners
+  double value = 0;      ///< the least over its corners of the sine over its bound; a negative sine by itself
+  double scaled_jacobian = 0, sj_bound = 1;  ///< the sine and the bound at that corner
+};
+
 /// Least, mean and greatest edge length over the target size.
 struct LengthToSize {
   double min = 0, mean = 0, max = 0;
@@ -83,5 +102,14 @@ Quality measure(const Mesh& mesh, std::span<const double> size = {});
 /// @param size  as in `measure`.
 /// Cost O(quads + n log n) for n quads and edges at curves.
 std::vector<LineQuality> measure_lines(const Mesh& mesh, std::span<const double> size = {});
+
+/// The five quads that are worst by scaled Jacobian over what the corner of the cell allows, the worst first, equal
+/// ones by index; fewer where there are no more quads.
+/// @param corners  those of the model (Report::corners); empty: unknown, all bounds are 1.
+/// Cost O(quads + corners log corners).
+std::vector<WorstQuad> worst_quads(const Mesh& mesh, std::span<const CellCorner> corners = {});
+
+/// Upper bound on the least scaled Jacobian of any mesh with these corners: their least bound, 1 without any.
+double jacobian_bound(std::span<const CellCorner> corners);
 
 }  // namespace quadline

@@ -27,9 +27,11 @@ struct Report {
   std::size_t n_cells = 0, n_curves = 0, n_vertices = 0;
   std::vector<Finding> findings;
   std::vector<StageTime> stages;
-  Quality before_smoothing;        ///< as Q-Morph leaves the mesh
-  Quality quality;                 ///< of the final mesh
-  std::vector<LineQuality> lines;  ///< of the final mesh along each of its curves, in the order of Mesh::curves
+  Quality before_smoothing;         ///< as Q-Morph leaves the mesh
+  Quality quality;                  ///< of the final mesh
+  std::vector<CellCorner> corners;  ///< of the model, with a bound below 1
+  std::vector<WorstQuad> worst;     ///< of the final mesh
+  std::vector<LineQuality> lines;   ///< of the final mesh along each of its curves, in the order of Mesh::curves
 };
 
 }  // namespace quadline

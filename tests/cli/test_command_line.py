@@ -194,6 +194,10 @@ class Mesh(CommandLine):
         for line in report["lines"]:
             self.assertGreater(line["edges"], 0)
             self.assertLessEqual(line["edge_to_size"]["min"], line["edge_to_size"]["mean"])
+        self.assertEqual([quad["value"] for quad in report["worst"]], sorted(quad["value"] for quad in report["worst"]))
+        self.assertEqual(len(report["worst"]), 5)
+        self.assertEqual(report["worst"][0]["scaled_jacobian"], report["quality"]["after_smoothing"]["scaled_jacobian"]["min"])
+        self.assertEqual(report["corners"]["forced"], [])  # a rectangle
         stages = [stage["stage"] for stage in report["stages"]]
         self.assertEqual([stages[0], stages[-1]], ["read", "write"])
         self.assertIn("qmorph", stages)
@@ -402,6 +406,25 @@ class Progress(CommandLine):
         self.assertTrue(shown.endswith("\r\x1b[K"), "the bar is wiped away")
         self.assertEqual(self.on_terminal(*work, "--quiet"), "")
         self.assertEqual(self.run_it(*work).stderr, "")
+
+
+class Corners(CommandLine):
+    def test_a_sharp_corner_is_told_with_what_it_allows(self):
+        model = self.put("wedge.json", {"size": 1, "outer": [[0, 0], [12, 0], [12, 12 * 3 ** -0.5]]})
+        done = self.run_it("mesh", model, "-o", self.path("a.msh"), "--json")
+        self.assert_told(json.loads(done.stdout)["corners"])
+        checked = json.loads(self.run_it("check", self.path("a.msh"), "--model", model, "--json").stdout)
+        self.assert_told(checked["corners"])
+        self.assertIn("allow a least scaled Jacobian of 0.500", self.run_it("mesh", model, "-o", self.path("b.msh")).stdout)
+        self.assertNotIn("corners", json.loads(self.run_it("check", self.path("a.msh"), "--json").stdout))
+
+    def assert_told(self, corners):
+        (corner,) = corners["forced"]  # that of 60 degrees is not among them
+        self.assertEqual([corner["at"], corner["quads"]], [[0, 0], 1])
+        self.assertAlmostEqual(corner["angle_deg"], 30, 9)
+        self.assertAlmostEqual(corner["sj_bound"], 0.5, 9)
+        self.assertAlmostEqual(corners["sj_bound"], 0.5, 9)
+        self.assertAlmostEqual(corners["sj_min_over_bound"], corners["sj_min"] / corners["sj_bound"], 9)
 
 
 class Check(CommandLine):

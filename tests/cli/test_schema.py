@@ -1,4 +1,4 @@
-"""The published schema and the reader agree on what a model is."""
+"""The published schemas and the readers agree on what a model is, and what criteria are."""
 import glob
 import json
 import os
@@ -48,14 +48,46 @@ WRONG = [
     {"outer": SQUARE, "regions": [{"at": [1, True]}]},
 ]
 
+RIGHT_CRITERIA = [
+    {},
+    {"$schema": "criteria.schema.json", "x-note": ["of the yard"], "max_aspect": 1},
+    {"min_angle_deg": 0, "max_angle_deg": 360, "max_aspect": 4, "min_scaled_jacobian": -1, "min_jacobian_ratio": 1,
+     "max_skew_deg": 90, "max_taper": 0.5, "min_beta": 0.3, "max_growth": 1.5, "min_edge": 0, "max_edge": 1e9,
+     "min_edge_to_size": 0.2, "max_edge_to_size": 2},
+]
+WRONG_CRITERIA = [
+    ([], "expected an object of limits"),
+    ({"max_aspct": 2}, "/max_aspct: unknown limit 'max_aspct': did you mean 'max_aspect'?"),
+    ({"max_aspect": 0.9}, "/max_aspect: expected a number of 1 or more"),
+    ({"max_aspect": "3"}, "/max_aspect: expected a number"),
+    ({"max_aspect": None}, "/max_aspect: expected a number"),
+    ({"max_growth": [1.5]}, "/max_growth: expected a number"),
+    ({"max_growth": 0}, "/max_growth: expected a number of 1 or more"),
+    ({"min_angle_deg": -1}, "/min_angle_deg: expected a number from 0 to 360"),
+    ({"max_angle_deg": 361}, "/max_angle_deg: expected a number from 0 to 360"),
+    ({"min_scaled_jacobian": 1.5}, "/min_scaled_jacobian: expected a number from -1 to 1"),
+    ({"min_jacobian_ratio": -2}, "/min_jacobian_ratio: expected a number from -1 to 1"),
+    ({"max_skew_deg": 91}, "/max_skew_deg: expected a number from 0 to 90"),
+    ({"max_taper": -0.1}, "/max_taper: expected a number of 0 or more"),
+    ({"min_beta": 2}, "/min_beta: expected a number from 0 to 1"),
+    ({"min_edge": -1}, "/min_edge: expected a number of 0 or more"),
+    ({"max_edge": -1}, "/max_edge: expected a number of 0 or more"),
+    ({"min_edge_to_size": -1}, "/min_edge_to_size: expected a number of 0 or more"),
+    ({"max_edge_to_size": True}, "/max_edge_to_size: expected a number"),
+]
+
+
+def published(name):
+    with open(os.path.join(ROOT, "schema", name), encoding="utf-8") as file:
+        schema = json.load(file)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
 
 class Schema(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with open(os.path.join(ROOT, "schema", "model.schema.json"), encoding="utf-8") as file:
-            schema = json.load(file)
-        jsonschema.Draft202012Validator.check_schema(schema)
-        cls.schema = jsonschema.Draft202012Validator(schema)
+        cls.schema = published("model.schema.json")
 
     def info(self, model):
         with tempfile.TemporaryDirectory() as folder:
@@ -85,6 +117,48 @@ class Schema(unittest.TestCase):
         for path in models:
             with self.subTest(model=os.path.basename(path)), open(path, encoding="utf-8") as file:
                 self.schema.validate(json.load(file))
+
+
+class CriteriaSchema(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.schema = published("criteria.schema.json")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.criteria, self.model = (os.path.join(folder.name, name) for name in ("c.json", "m.json"))
+        self.put(self.model, {"outer": SQUARE, "size": 1})
+
+    def put(self, path, content):
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(content, file)
+
+    def mesh(self, criteria):
+        self.put(self.criteria, criteria)
+        return subprocess.run([QUADLINE, "mesh", self.model, "--criteria", self.criteria, "--json"],
+                              capture_output=True, text=True, timeout=60)
+
+    def test_both_take_what_is_right(self):
+        for criteria in RIGHT_CRITERIA:
+            with self.subTest(criteria=criteria):
+                self.assertTrue(self.schema.is_valid(criteria))
+                done = self.mesh(criteria)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = {limit["name"]: limit["limit"] for limit in json.loads(done.stdout)["criteria"]["limits"]}
+                self.assertEqual(told, {k: v for k, v in criteria.items() if k[:2] != "x-" and k[0] != "$"})
+
+    def test_both_refuse_what_is_wrong_and_say_where(self):
+        for criteria, message in WRONG_CRITERIA:
+            with self.subTest(criteria=criteria):
+                self.assertFalse(self.schema.is_valid(criteria))
+                done = self.mesh(criteria)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertEqual(done.stderr, "quadline: %s: %s\n" % (self.criteria, message))
+
+    def test_the_schema_knows_every_limit(self):
+        limits = {name for name in self.schema.schema["properties"] if name[0] != "$"}
+        self.assertEqual(limits, set(RIGHT_CRITERIA[2]))
 
 
 if __name__ == "__main__":

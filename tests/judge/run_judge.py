@@ -47,6 +47,17 @@ def what_is_wrong(judged):
     return None
 
 
+def corners_differ(report, judged):
+    """The report and the judge find the same bound on the least scaled Jacobian."""
+    ours, sharp = report["corners"], judged["sharp"]
+    pairs = [(ours["sj_bound"], sharp["sj_bound"])]
+    if ours["sj_min_over_bound"] is not None and sharp["sj_min_over_bound"] is not None:
+        pairs.append((ours["sj_min_over_bound"], sharp["sj_min_over_bound"]))
+    if any(abs(a - b) > 1e-5 for a, b in pairs):
+        return "bound on the scaled Jacobian, bound reached: report and judge differ: %s" % pairs
+    return None
+
+
 def row(model, folder):
     """A row of the table, and what is wrong (None: nothing)."""
     done, out, report_file = mesh(model, folder)
@@ -62,7 +73,7 @@ def row(model, folder):
              "%.3f" % q["beta_mean"], "%.3f" % q["sj_min"], "%.3f" % q["sj_mean"],
              "%.0f to %.0f" % (q["angle_min"], q["angle_max"]), "%.1f" % (100 * q["irregular"]),
              "%.2f" % report["seconds"])
-    return cells, what_is_wrong(judged)
+    return cells, what_is_wrong(judged) or corners_differ(report, judged)
 
 
 def main():

@@ -60,6 +60,21 @@ TEST(Criteria, GrowthHasALimitOfItsOwn) {
   EXPECT_EQ(evaluate(mesh, {.max_growth = 2}).n_failing, 0u);
 }
 
+TEST(Criteria, LengthsGoOverTheSizeAtTheirOwnEdge) {
+  const Mesh mesh = three_quads();
+  const Criteria limits{.min_edge_to_size = 0.9, .max_edge_to_size = 1.1};
+  std::vector<double> size;  // each edge as long as asked for
+  for (const auto& [a, b] : edges_of(mesh)) size.push_back(distance(mesh.points[a], mesh.points[b]));
+  EXPECT_EQ(evaluate(mesh, limits, size).n_failing, 0u);
+  EXPECT_EQ(evaluate(mesh, limits, 1.0).n_failing, 2u);
+  size[0] *= 2;  // of the square
+  const CriteriaResult r = evaluate(mesh, limits, size);
+  EXPECT_EQ(r.n_failing, 1u);
+  EXPECT_EQ(r.limits.at(0).worst.at(0).quad, 0u);
+  EXPECT_NEAR(r.limits.at(0).worst.at(0).value, 0.5, 1e-12);
+  EXPECT_FALSE(evaluate(mesh, limits, std::span<const double>()).limits.at(0).is_checked);
+}
+
 TEST(Criteria, AValueAtItsLimitPassesAndAnUnknownSizeIsNotChecked) {
   EXPECT_EQ(evaluate(three_quads(), *named_criteria("csr-fine")).limits[0].n_failing, 0u);
   const CriteriaResult r = evaluate(three_quads(), {.max_edge_to_size = 1});
