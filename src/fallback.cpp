@@ -3,20 +3,13 @@
 #include <algorithm>
 
 #include "domain/size_locate.hpp"
-#include "stages/verify/verify.hpp"
+#include "slivers.hpp"
 
 namespace quadline {
 
 namespace {
 
 constexpr std::size_t kMostAttempts = 9;
-
-Point centre_of(const WorkMesh& mesh, FaceId f) {
-  const Polygon p = mesh.topo().polygon(f);
-  Point sum;
-  for (const NodeId v : p.corners()) sum += mesh.point(v);
-  return (1.0 / p.n) * sum;
-}
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);
@@ -41,13 +34,9 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
 }  // namespace
 
 std::vector<Trouble> unsound_cells(const WorkMesh& mesh) {
-  const Topology& topo = mesh.topo();
   std::vector<Trouble> found;
-  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
-    const FaceId f(i);
-    if (!topo.is_live(f) || (!topo.is_triangle(f) && is_sound(mesh.quad_points(f)))) continue;
+  for (const FaceId f : unsound_faces(mesh))
     found.push_back({mesh.cell(f), "a quad is not convex, or flat", centre_of(mesh, f)});
-  }
   std::stable_sort(found.begin(), found.end(), [](const Trouble& t, const Trouble& u) { return t.cell < u.cell; });
   const auto is_same = [](const Trouble& t, const Trouble& u) { return t.cell == u.cell; };
   found.erase(std::unique(found.begin(), found.end(), is_same), found.end());

@@ -15,16 +15,16 @@ namespace quadline {
 struct Rung {
   bool other_triangles;
   double refinement;  ///< of the sizes in the cell and round it
-  bool is_halved;     ///< meshed with triangles at twice the size, each halved into three quads
+  bool is_halved;     ///< pairs of triangles at twice the size, and what stays alone, halved
   const char* what;
 };
 constexpr Rung kRungs[] = {{false, 1, false, "as asked"},
                            {true, 1, false, "with the other triangles"},
                            {false, 0.7, false, "with sizes 0.7 of those asked"},
                            {true, 0.5, false, "with the other triangles and half the sizes"},
-                           {false, 1, true, "by halving triangles"},
-                           {true, 0.5, true, "by halving triangles at half the sizes"},
-                           {false, 0.25, true, "by halving triangles at a quarter of the sizes"}};
+                           {false, 1, true, "at twice the size and halved"},
+                           {true, 0.5, true, "and halved, with half the sizes"},
+                           {false, 0.25, true, "and halved, with a quarter of the sizes"}};
 
 constexpr std::size_t kFirstHalving = 4;
 

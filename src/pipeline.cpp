@@ -1,12 +1,14 @@
 #include "pipeline.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "domain/size_field.hpp"
 #include "flatten.hpp"
+#include "slivers.hpp"
 #include "stages/cleanup/cleanup.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/field_points/field_points.hpp"
@@ -28,6 +30,9 @@ std::vector<double> sizes_at_edges(const Mesh& mesh, const SizeField& size) {
   return sizes;
 }
 
+// Sizes from a spoiled place to what is frozen the next time; the first time there is none, the last time it is all.
+constexpr std::array<double, 4> kReaches{0, 4, 16, 1e9};
+
 // One way through the stages, from the size field to the verifier.
 class Pipeline {
  public:
@@ -44,15 +49,12 @@ class Pipeline {
     WorkMesh mesh = quads(size);
     snapshot("before-smoothing", mesh);
     report_.before_smoothing = measure(flatten(mesh, domain_));
-    std::optional<WorkMesh> raw;
-    if (halves()) raw = mesh;
-    clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
-    snapshot("clean-up", mesh);
-    Attempt attempt = smoothed(mesh, size);
-    if (!attempt.result.failure || !raw) return attempt;
-    // Halved elements are convex: what clean-up spoiled, smoothing alone does not.
-    Attempt second = smoothed(*raw, size);
-    return second.result.failure ? attempt : second;
+    if (plan_.halves()) {
+      improve_with_care(mesh, size);
+    } else {
+      improve(mesh, size);
+    }
+    return judged(mesh, size);
   }
 
  private:
@@ -74,20 +76,49 @@ class Pipeline {
     if (options_.method == Method::QMorph) {
       const auto observe = [this](std::string_view name, const WorkMesh& now) { snapshot(name, now); };
       clock_.run("qmorph", [&] { merge_to_quads(mesh, size, options_.lines, plan_.halved(), observe, context_); });
-    } else if (options_.method == Method::Merge) {
-      clock_.run("pair", [&] { pair_triangles(mesh, plan_.halved(), context_); });
     }
     if (halves()) {
+      if (options_.method != Method::Split) clock_.run("pair", [&] { pair_triangles(mesh, context_); });
       snapshot("before-halving", mesh);
       clock_.run("halve", [&] { halve(mesh, domain_, context_); });
     }
     return mesh;
   }
 
-  Attempt smoothed(WorkMesh& mesh, const SizeField& size) {
+  void improve(WorkMesh& mesh, const SizeField& size) {
+    clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
+    snapshot("clean-up", mesh);
+    clock_.run("smooth", [&] { smooth(mesh, domain_, size, {}, context_); });
+  }
+
+  // Halving leaves sound quads where the triangles were, however thin. Where clean-up and smoothing spoil them, more
+  // and more of what is round the place stays as it was.
+  void improve_with_care(WorkMesh& mesh, const SizeField& size) {
+    const WorkMesh raw = mesh;
+    std::vector<Point> spoiled;
+    const bool is_ready = !has_unsound_front(raw);
+    for (const double reach : kReaches) {
+      mesh = raw;
+      freeze_slivers(mesh);
+      freeze_near(mesh, spoiled, reach, size);
+      improve(mesh, size);
+      mesh.thaw();
+      const std::vector<FaceId> faces = unsound_faces(mesh);
+      if (faces.empty() || !is_ready) return;
+      for (const FaceId f : faces) spoiled.push_back(centre_of(mesh, f));
+    }
+  }
+
+  // Quads of Q-Morph that even halving leaves tangled: better halve the cell's triangles.
+  bool has_unsound_front(const WorkMesh& mesh) const {
+    const CellSet halved = plan_.halved();
+    const std::vector<FaceId> faces = unsound_faces(mesh);
+    return std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return !halved.contains(mesh.cell(f)); });
+  }
+
+  Attempt judged(const WorkMesh& mesh, const SizeField& size) {
     Attempt attempt;
     MeshResult& result = attempt.result;
-    clock_.run("smooth", [&] { smooth(mesh, domain_, size, {}, context_); });
     result.mesh = flatten(mesh, domain_);
     result.failure = clock_.run("verify", [&] { return verify(result.mesh, domain_, context_); });
     if (context_.on_snapshot) context_.on_snapshot("smoothed", result.mesh);

@@ -93,6 +93,30 @@ void WorkMesh::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
   for (const FaceId f : made) cell_[f] = cell;
 }
 
+void WorkMesh::freeze(FaceId f) {
+  topo_.for_each_half(f, [&](HalfId h) {
+    tag_[topo_.tail(h)].kind = NodeKind::Fixed;
+    if (!is_constraint(h)) curve_[edge_of(h)] = kFrozen;
+  });
+}
+
+// Also where frozen faces are all round it.
+bool WorkMesh::is_frozen(FaceId f) const {
+  bool all = true, any = false;
+  topo_.for_each_half(f, [&](HalfId h) {
+    all &= is_constraint(h);
+    any |= curve_[edge_of(h)] == kFrozen;
+  });
+  return all && any;
+}
+
+void WorkMesh::thaw() {
+  for (CurveId& c : curve_)
+    if (c == kFrozen) c = CurveId();
+  for (NodeTag& tag : tag_)
+    if (!tag.vertex.valid()) tag.kind = tag.curve.valid() ? NodeKind::OnCurve : NodeKind::Free;
+}
+
 void WorkMesh::build(std::vector<Point> points, std::vector<NodeTag> tags, std::span<const Polygon> polygons) {
   topo_.build(points.size(), polygons);
   point_.raw() = std::move(points);

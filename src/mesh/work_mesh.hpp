@@ -93,6 +93,11 @@ class WorkMesh {
   /// See Topology::replace_cavity; the new faces get the cell of the first old one, which all must share.
   void replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons, std::vector<FaceId>& made);
 
+  /// Holds a face as it is until `thaw`: its nodes stay where they are, its edges count as constraints.
+  void freeze(FaceId f);
+  void thaw();
+  bool is_frozen(FaceId f) const;
+
   // Whole mesh
   void build(std::vector<Point> points, std::vector<NodeTag> tags, std::span<const Polygon> polygons);
   /// Removes the faces of no cell, and the nodes that are left without an edge.
@@ -108,6 +113,7 @@ class WorkMesh {
  private:
   void fit();  ///< grows the arrays after the connectivity
   void follow(const Topology::Renumbering& map);
+  static constexpr CurveId kFrozen{UINT32_MAX - 1};  ///< of edges that no curve holds
   Topology topo_;
   IdVector<NodeId, Point> point_;
   IdVector<NodeId, NodeTag> tag_;

@@ -40,6 +40,7 @@ bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
   std::size_t n_rim = 0;
   bool is_cut = false;
   for (const FaceId f : faces) {
+    is_cut |= mesh_.is_frozen(f);
     topo.for_each_half(f, [&](HalfId h) {
       if (!is_inside(twin(h))) {
         ++n_rim;

@@ -2,6 +2,7 @@
 // however thin they are.
 #include "stages/halve/halve.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -13,29 +14,43 @@ namespace quadline {
 
 namespace {
 
-bool is_convex(const QuadPoints& p) {
-  for (int i = 0; i < 4; ++i)
-    if (orientation(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) <= 0) return false;
-  return true;
+constexpr double kPoor = 0.05;  // scaled Jacobian below which a quad is cut into two triangles
+
+// Least sine of a corner; not positive where the triangle is not counter-clockwise.
+double least_sine(Point a, Point b, Point c) {
+  if (orientation(a, b, c) <= 0) return 0;
+  const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
+  return twice_area(a, b, c) / std::max({ab * bc, bc * ca, ca * ab});
 }
 
-// Cuts quads that are not convex along the diagonal that lies inside.
-void cut_concave_quads(WorkMesh& mesh) {
+// The corner from which the better diagonal starts; -1: none lies inside.
+int better_diagonal(const WorkMesh& mesh, FaceId f) {
+  const QuadPoints p = mesh.quad_points(f);
+  const Polygon q = mesh.topo().polygon(f);
+  int best = -1;
+  double most = 0;
+  for (int k = 0; k < 2; ++k) {
+    if (mesh.topo().find(q.nodes[k], q.nodes[k + 2]).valid()) continue;  // two faces would lie on one side of it
+    const double least = std::min(least_sine(p[k], p[k + 1], p[k + 2]), least_sine(p[k], p[k + 2], p[(k + 3) % 4]));
+    if (least <= most) continue;
+    most = least;
+    best = k;
+  }
+  return best;
+}
+
+void cut_poor_quads(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<FaceId> made;
   for (std::size_t i = 0, n = topo.face_capacity(); i < n; ++i) {
     const FaceId f(i);
-    if (!topo.is_live(f) || topo.is_triangle(f) || is_convex(mesh.quad_points(f))) continue;
-    const QuadPoints p = mesh.quad_points(f);
+    if (!topo.is_live(f) || topo.is_triangle(f) || scaled_jacobian(mesh.quad_points(f)) > kPoor) continue;
+    const int k = better_diagonal(mesh, f);
+    if (k < 0) continue;
     const Polygon q = topo.polygon(f);
-    for (int k = 0; k < 2; ++k) {
-      if (orientation(p[k], p[k + 1], p[k + 2]) <= 0 || orientation(p[k], p[k + 2], p[(k + 3) % 4]) <= 0) continue;
-      if (topo.find(q.nodes[k], q.nodes[k + 2]).valid()) continue;  // two faces would lie on one side of it
-      const std::array<Polygon, 2> halves{Polygon(q.nodes[k], q.nodes[k + 1], q.nodes[k + 2]),
-                                          Polygon(q.nodes[k], q.nodes[k + 2], q.nodes[(k + 3) % 4])};
-      mesh.replace_cavity(std::array{f}, halves, made);
-      break;
-    }
+    const std::array<Polygon, 2> halves{Polygon(q.nodes[k], q.nodes[k + 1], q.nodes[k + 2]),
+                                        Polygon(q.nodes[k], q.nodes[k + 2], q.nodes[(k + 3) % 4])};
+    mesh.replace_cavity(std::array{f}, halves, made);
   }
 }
 
@@ -112,7 +127,7 @@ class Halving {
 
 void halve(WorkMesh& mesh, const Domain& domain, Context& context) {
   context.progress("halve", 0);
-  cut_concave_quads(mesh);
+  cut_poor_quads(mesh);
   mesh.compact();
   Halving(mesh, domain).run();
   mesh.sort_in_space();

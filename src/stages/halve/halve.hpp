@@ -8,8 +8,8 @@ namespace quadline {
 
 /// Halves every edge of a mesh of triangles and quads: a quad becomes four, a triangle three round its centroid.
 ///
-/// The middle of an edge on a curve lies on the curve. Quads that are not convex are cut into two triangles first,
-/// where a diagonal lies inside.
+/// The middle of an edge on a curve lies on the curve. Quads that are not convex, or nearly so, are cut into two
+/// triangles first, where a diagonal lies inside.
 ///
 /// @pre   every constraint is an edge between nodes of its curve.
 /// @post  quads only, edges half as long, conforming whatever the number of edges round the cells. All are convex where

@@ -22,13 +22,13 @@ Polygon merged(const Topology& topo, EdgeId e) {
   return {topo.tail(h), topo.tail(topo.prev(t)), topo.tail(t), topo.tail(topo.prev(h))};
 }
 
-std::vector<Pair> pairs_of(const WorkMesh& mesh, const CellSet& left_out) {
+std::vector<Pair> pairs_of(const WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
     const EdgeId e(i);
-    if (!topo.is_live(e) || mesh.is_constraint(e) || mesh.is_boundary(e)) continue;
-    if (left_out.contains(mesh.cell(topo.face(half_of(e))))) continue;
+    if (!topo.is_live(e) || mesh.is_constraint(e)) continue;
+    if (!mesh.is_triangle(half_of(e, 0)) || !mesh.is_triangle(half_of(e, 1))) continue;
     const Polygon q = merged(topo, e);
     const double worth = scaled_jacobian(
         {mesh.point(q.nodes[0]), mesh.point(q.nodes[1]), mesh.point(q.nodes[2]), mesh.point(q.nodes[3])});
@@ -41,12 +41,12 @@ std::vector<Pair> pairs_of(const WorkMesh& mesh, const CellSet& left_out) {
 
 }  // namespace
 
-void pair_triangles(WorkMesh& mesh, const CellSet& left_out, Context& context) {
+void pair_triangles(WorkMesh& mesh, Context& context) {
   context.progress("pair", 0);
   const Topology& topo = mesh.topo();
   IdVector<FaceId, std::uint8_t> is_taken(topo.face_capacity(), 0);
   std::vector<FaceId> made;
-  const std::vector<Pair> pairs = pairs_of(mesh, left_out);
+  const std::vector<Pair> pairs = pairs_of(mesh);
   context.progress("pair", 0.5);
   // A merge frees the slot of its edge and of a face, but marks neither as free for others: new quads take only the
   // slots of the two triangles, which are taken.

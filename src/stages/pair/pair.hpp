@@ -1,6 +1,5 @@
 #pragma once
 
-#include "domain/cell_set.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 
@@ -8,12 +7,12 @@ namespace quadline {
 
 /// Merges pairs of triangles to quads, the best pairs first; some triangles stay alone.
 ///
-/// @param left_out  cells that stay triangles.
-/// @pre   triangles only.
-/// @post  every quad is convex; every constraint is an edge still.
+/// Quads that are there stay.
+///
+/// @post  every new quad is convex; every constraint is an edge still.
 /// @throws Cancelled when `context` asks for it.
 /// Cost O(n log n). Source: [Lo1989, Rank1993].
 /// Limits: greedy, so that more triangles stay than with the best matching.
-void pair_triangles(WorkMesh& mesh, const CellSet& left_out, Context& context);
+void pair_triangles(WorkMesh& mesh, Context& context);
 
 }  // namespace quadline

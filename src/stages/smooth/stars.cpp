@@ -48,14 +48,15 @@ void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
 bool Stars::add_slide(const WorkMesh& mesh, NodeId v) {
   const NodeTag& tag = mesh.tag(v);
   if (tag.kind != NodeKind::OnCurve) return false;
-  Slide slide{tag.curve, tag.s, kNone, kNone, 0, 0};
+  Slide slide{tag.curve, tag.s, kNone, kNone, 0, length(domain_.curves[tag.curve].piece), 0, 0};
   mesh.topo().for_each_out(v, [&](HalfId h) {
     if (mesh.curve(edge_of(h)) != tag.curve) return;
     const NodeId w = mesh.topo().head(h);
     const NodeTag& other = mesh.tag(w);
-    const bool shares_curve = other.kind == NodeKind::OnCurve && other.curve == tag.curve;
+    const bool shares_curve = other.curve == tag.curve;
     const bool is_before = shares_curve ? other.s < tag.s : other.vertex == domain_.curves[tag.curve].tail;
     (is_before ? slide.before : slide.after) = w.value;
+    if (shares_curve) (is_before ? slide.low : slide.high) = other.s;
   });
   if (slide.before == kNone || slide.after == kNone) return false;
   slides_.push_back(slide);
@@ -74,7 +75,7 @@ double Stars::place_of(std::uint32_t neighbour, const Slide& slide, bool before)
   const std::uint32_t star = star_of_[neighbour];
   if (star != kNone && slide_of_[star] != kNone && slides_[slide_of_[star]].curve == slide.curve)
     return slides_[slide_of_[star]].s;
-  return before ? 0 : length(domain_.curves[slide.curve].piece);
+  return before ? slide.low : slide.high;
 }
 
 Point Stars::tangent(std::size_t i) const {

@@ -64,6 +64,7 @@ class Stars {
     CurveId curve;
     double s;                     ///< arc length along the curve
     std::uint32_t before, after;  ///< neighbours along it
+    double low, high;             ///< places of the neighbours, as long as they do not slide themselves
     double least, most;           ///< how far it may go
   };
   void add_star(const WorkMesh& mesh, NodeId v, const SizeField& size);
