@@ -172,8 +172,7 @@ int run(const MeshArguments& arguments) {
   run.options = arguments.options;
   run.threads = arguments.threads;
   check_size_given(run.model, run.options);
-  std::optional<Criteria> criteria;
-  if (!arguments.criteria.empty()) criteria = read_criteria(arguments.criteria);
+  if (!arguments.criteria.empty()) run.options.criteria = read_criteria(arguments.criteria);
   run.criteria_name = arguments.criteria;
   std::optional<Snapshots> snapshots;
   if (!arguments.stages.empty()) snapshots.emplace(arguments.stages);
@@ -187,11 +186,11 @@ int run(const MeshArguments& arguments) {
     bar.show(stage, fraction);
   };
   if (snapshots) context.on_snapshot = [&](std::string_view name, const Mesh& mesh) { snapshots->write(name, mesh); };
-  run.result = generate(run.model, arguments.options, context);
+  run.result = generate(run.model, run.options, context);
   watch.leave();
   watch.correct(run.result.report.stages);
 
-  if (criteria) run.criteria = evaluate(run.result.mesh, *criteria, run.result.edge_sizes);
+  if (run.options.criteria) run.criteria = evaluate(run.result.mesh, *run.options.criteria, run.result.edge_sizes);
 
   const auto& failure = run.result.failure;
   const bool writes = !failure || arguments.keep_bad;

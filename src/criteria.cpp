@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "geom/element.hpp"
+#include "geom/criteria_values.hpp"
 #include "mesh_sides.hpp"
 #include "quadline/quality.hpp"
 
@@ -14,48 +13,9 @@ namespace quadline {
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kWorst = 5;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kRoundOff = 1e-12;  // relative; a right angle computed as 90 - 1e-14 is not below 90
-
-double skew_deg(const QuadPoints& p) {
-  const Point u = p[1] + p[2] - p[3] - p[0], v = p[2] + p[3] - p[0] - p[1];
-  return 90 - std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegrees;
-}
-
-// The values of one quad in the order of `criteria_fields`, with the target sizes at its sides.
-std::array<double, 13> values_of(const QuadPoints& p, const std::array<double, 4>& size, double growth) {
-  double low = 360, high = 0, shortest = distance(p[0], p[1]), longest = 0;
-  double least_to_size = shortest / size[0], most_to_size = 0;
-  std::array<double, 4> area{};  // twice that of the triangle at each corner: the Jacobian there
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Point before = p[(i + 3) % 4], after = p[(i + 1) % 4];
-    const double angle = corner_angle(before, p[i], after) * kDegrees, length = distance(p[i], after);
-    low = std::min(low, angle);
-    high = std::max(high, angle);
-    shortest = std::min(shortest, length);
-    longest = std::max(longest, length);
-    least_to_size = std::min(least_to_size, length / size[i]);
-    most_to_size = std::max(most_to_size, length / size[i]);
-    area[i] = twice_area(before, p[i], after);
-  }
-  const auto [least, most] = std::minmax_element(area.begin(), area.end());
-  const double quad_area = area[0] + area[2];  // twice
-  return {low,
-          high,
-          shortest > 0 ? longest / shortest : 1e12,
-          scaled_jacobian(p),
-          *most > 0 ? *least / *most : -1,
-          skew_deg(p),
-          quad_area > 0 ? 1 - 2 * *least / quad_area : 1,
-          quad_distortion(p),
-          growth,
-          shortest,
-          longest,
-          least_to_size,
-          most_to_size};
-}
 
 void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool is_least) {
   const auto is_worse = [&](const FailingQuad& a, const FailingQuad& b) {
@@ -129,7 +89,7 @@ CriteriaResult evaluate_sized(const Mesh& mesh, const Criteria& criteria, bool h
     const auto& q = mesh.quads[i];
     const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
     const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const auto values = values_of(p, sizes_of(i), growth.empty() ? 1 : growth[i]);
+    const auto values = criteria_values(p, sizes_of(i), growth.empty() ? 1 : growth[i]);
     bool fails = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const CriteriaField& field = fields[asked[k]];

@@ -88,7 +88,7 @@ class Pipeline {
   void improve(WorkMesh& mesh, const SizeField& size) {
     clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
     snapshot("clean-up", mesh);
-    clock_.run("smooth", [&] { smooth(mesh, domain_, size, {}, context_); });
+    clock_.run("smooth", [&] { smooth(mesh, domain_, size, {.criteria = options_.criteria}, context_); });
   }
 
   // Halving leaves sound quads where the triangles were, however thin. Where clean-up and smoothing spoil them, more

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "quadline/criteria.hpp"
+
 namespace quadline {
 
 /// Which half-edges of a line constraint start in the front.
@@ -36,6 +38,7 @@ struct Options {
   LineFronts lines = LineFronts::TwoSided;
   Triangles triangles = Triangles::Front;
   Method method = Method::QMorph;
+  std::optional<Criteria> criteria{};  ///< limits that smoothing works towards, where it can without harm
   /// Fall-backs that are expected to need more quads are left out, and what needs more all the same is no result.
   double max_quads = 50e6;
 };

@@ -13,7 +13,8 @@ void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const S
   smoothing::untangle(stars, options, progress.part(0.1, 0.12));
   smoothing::optimize(stars, options, progress.part(0.12, 0.3));
   smoothing::lift(stars, options, progress.part(0.3, 0.32));
-  smoothing::polish(stars, options, progress.part(0.32, 1));
+  smoothing::polish(stars, options, progress.part(0.32, 0.95));
+  if (options.criteria) smoothing::aim(stars, options, progress.part(0.95, 1));
   progress.report(1);
   stars.store(mesh);
 }

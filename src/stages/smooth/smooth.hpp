@@ -4,12 +4,14 @@
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
+#include "quadline/criteria.hpp"
 
 namespace quadline {
 
 struct SmoothOptions {
-  int passes = 8;          ///< at most so many sweeps of each step, >= 0; 0: the mesh stays
-  double min_move = 2e-3;  ///< a node that wants to move less stays; in target sizes, > 0
+  int passes = 8;                      ///< at most so many sweeps of each step, >= 0; 0: the mesh stays
+  double min_move = 2e-3;              ///< a node that wants to move less stays; in target sizes, > 0
+  std::optional<Criteria> criteria{};  ///< limits that nodes move towards at last; growth is not looked at
 };
 
 /// Smoothing: constrained Laplacian, untangling, optimisation of the shape and of the worst elements, polish of beta.

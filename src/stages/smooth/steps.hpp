@@ -26,4 +26,7 @@ void lift(Stars& stars, const SmoothOptions& options, const Progress& progress);
 /// Raises the geometric mean of beta.
 void polish(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
+/// Moves nodes where quads fail the caller's criteria, so that they fail them by less, or not at all.
+void aim(Stars& stars, const SmoothOptions& options, const Progress& progress);
+
 }  // namespace quadline::smoothing

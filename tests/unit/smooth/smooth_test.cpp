@@ -67,6 +67,29 @@ TEST(Smooth, RaisesBetaAtIrregularNodes) {
   EXPECT_GE(least_jacobian(patch.mesh), 0.84 - 1e-9);
 }
 
+TEST(Smooth, MovesNodesTowardsTheCallersLimits) {
+  Criteria criteria;
+  criteria.min_jacobian_ratio = 0.6;
+  const auto failing = [&](const SmoothOptions& options) {
+    Patch patch = shapes::patch({.nx = 10, .ny = 9, .turned = {{2, 2}, {6, 5}}});
+    smoothed(patch, options);
+    EXPECT_EQ(broken_promise(patch), "");
+    EXPECT_GE(least_jacobian(patch.mesh), 0.84 - 1e-9);
+    return evaluate(flatten(patch.mesh, patch.domain), criteria).n_failing;
+  };
+  EXPECT_GT(failing({}), 0u);
+  EXPECT_EQ(failing({.criteria = criteria}), 0u);
+}
+
+TEST(Smooth, LimitsThatHoldMoveNothing) {
+  Criteria criteria;
+  criteria.max_aspect = 50;
+  Patch plain = shapes::patch({.nx = 10, .ny = 9, .turned = {{2, 2}, {6, 5}}}), aimed = plain;
+  smoothed(plain);
+  smoothed(aimed, {.criteria = criteria});
+  EXPECT_EQ(flatten(plain.mesh, plain.domain).points, flatten(aimed.mesh, aimed.domain).points);
+}
+
 TEST(Smooth, ConstraintsLieWhereTheyLay) {
   Patch patch = shapes::patch({.nx = 9, .ny = 9, .keep = is_frame, .lines = {{{{1, 1}, {8, 1}}}}, .points = {{7, 7}}});
   shapes::shake(patch, 0.3, 3, 0.3);
