@@ -75,7 +75,8 @@ class Pipeline {
     snapshot("field-points", mesh);
     if (options_.method == Method::QMorph) {
       const auto observe = [this](std::string_view name, const WorkMesh& now) { snapshot(name, now); };
-      clock_.run("qmorph", [&] { merge_to_quads(mesh, size, options_.lines, plan_.halved(), observe, context_); });
+      const FrontOptions front{.lines = options_.lines, .left_out = plan_.halved()};
+      clock_.run("qmorph", [&] { merge_to_quads(mesh, size, front, observe, context_); });
     }
     if (halves()) {
       if (options_.method != Method::Split) clock_.run("pair", [&] { pair_triangles(mesh, context_); });
