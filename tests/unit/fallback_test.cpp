@@ -126,6 +126,7 @@ TEST(FallbackChain, NothingTakesMoreQuadsThanAllowed) {
   std::size_t n_attempts = 0;
   for (const StageTime& time : result.report.stages) n_attempts += time.stage == "sizing";
   EXPECT_EQ(n_attempts, 1u);  // as asked; all others are expected to need more
+  EXPECT_EQ(result.report.findings.back().text, "what may help needs more quads than allowed");
 }
 
 }  // namespace
