@@ -18,7 +18,7 @@ struct MeshArguments {
   std::string criteria;              ///< as `read_criteria` takes them; empty: none
   Options options;
   unsigned threads = 1;
-  bool json = false;        ///< the report on standard output
+  bool json = false;  ///< the report on standard output
   bool quiet = false;
   bool keep_bad = false;  ///< write a mesh that breaks the promise too
 };

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kRounds = 2;
 constexpr std::size_t kStepsPerNode = 100;  // of the work list, at most
-constexpr int kFirstSweeps = 3;              // of smoothing, before anything is judged
+constexpr int kFirstSweeps = 3;             // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 7;
 constexpr std::size_t kTries = 6;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
