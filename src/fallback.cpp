@@ -9,7 +9,7 @@ namespace quadline {
 
 namespace {
 
-constexpr std::size_t kMostAttempts = 9;
+constexpr std::size_t kMostAttempts = 10;
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);

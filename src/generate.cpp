@@ -25,15 +25,20 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   Attempt last = attempt_mesh(plan, options, report, context);
   MeshResult first;
   if (last.result.failure) first = last.result;
+  bool is_limited = false;
   while (last.result.failure && plan.advance(last.troubles)) {
-    if (expected_quads(plan.domain(), options) > options.max_quads) continue;
-    Attempt next = attempt_mesh(plan, options, report, context);
-    if (!next.result.failure && static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) continue;
+    const bool is_expected = expected_quads(plan.domain(), options) > options.max_quads;
+    Attempt next = is_expected ? Attempt{} : attempt_mesh(plan, options, report, context);
+    if (is_expected || static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) {
+      is_limited = true;
+      continue;
+    }
     last = std::move(next);
   }
   std::vector<Finding>& found = last.findings;
   if (last.result.failure) {
     found = plan.failures(last.troubles);
+    if (is_limited) found.push_back({"what may help needs more quads than allowed", {}, first.failure->at});
     last.result = std::move(first);
     report.quality = measure(last.result.mesh);
     report.lines = measure_lines(last.result.mesh);

@@ -1,6 +1,5 @@
 #include "pipeline.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -75,7 +74,8 @@ class Pipeline {
     snapshot("field-points", mesh);
     if (options_.method == Method::QMorph) {
       const auto observe = [this](std::string_view name, const WorkMesh& now) { snapshot(name, now); };
-      clock_.run("qmorph", [&] { merge_to_quads(mesh, size, options_.lines, plan_.halved(), observe, context_); });
+      const FrontOptions front{.lines = options_.lines, .left_out = plan_.halved()};
+      clock_.run("qmorph", [&] { merge_to_quads(mesh, size, front, observe, context_); });
     }
     if (halves()) {
       if (options_.method != Method::Split) clock_.run("pair", [&] { pair_triangles(mesh, context_); });
@@ -96,7 +96,7 @@ class Pipeline {
   void improve_with_care(WorkMesh& mesh, const SizeField& size) {
     const WorkMesh raw = mesh;
     std::vector<Point> spoiled;
-    const bool is_ready = !has_unsound_front(raw);
+    const std::size_t n_given = unsound_faces(raw).size();  // which freezing does not mend
     for (const double reach : kReaches) {
       mesh = raw;
       freeze_slivers(mesh);
@@ -104,16 +104,9 @@ class Pipeline {
       improve(mesh, size);
       mesh.thaw();
       const std::vector<FaceId> faces = unsound_faces(mesh);
-      if (faces.empty() || !is_ready) return;
+      if (faces.size() <= n_given) return;
       for (const FaceId f : faces) spoiled.push_back(centre_of(mesh, f));
     }
-  }
-
-  // Quads of Q-Morph that even halving leaves tangled: better halve the cell's triangles.
-  bool has_unsound_front(const WorkMesh& mesh) const {
-    const CellSet halved = plan_.halved();
-    const std::vector<FaceId> faces = unsound_faces(mesh);
-    return std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return !halved.contains(mesh.cell(f)); });
   }
 
   Attempt judged(const WorkMesh& mesh, const SizeField& size) {

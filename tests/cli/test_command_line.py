@@ -106,7 +106,8 @@ class Usage(CommandLine):
                 ("--size", "1e999", "a length above 0"), ("--size", "1,5", "a length above 0"),
                 ("--growth", "1", "a number above 1"), ("--edges-per-circle", "3", "a number of 4 or more"),
                 ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
-                ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay' or 'front'")]:
+                ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay' or 'front'"),
+                ("--method", "paving", "'qmorph', 'merge' or 'split'")]:
             with self.subTest(option=option, text=text):
                 self.assert_fails(2, "%s: expected %s, found '%s'" % (option, expected, text), *base, option, text)
         self.assert_fails(2, "--size: expected a length above 0, found '-1'", *base, "--size=-1")
@@ -171,6 +172,17 @@ class Mesh(CommandLine):
             self.assert_done(done)
             return json.loads(done.stdout)["counts"]["quads"]
         self.assertGreater(count("--size", "0.5"), 2 * count())
+
+    def test_methods(self):
+        for method, stage in [("qmorph", "qmorph"), ("merge", "pair"), ("split", "halve")]:
+            with self.subTest(method=method):
+                out = self.path(method + ".json")
+                done = self.run_it("mesh", self.plate, "-o", out, "--method", method, "--json")
+                self.assert_done(done)
+                report = json.loads(done.stdout)
+                self.assertEqual(report["options"]["method"], method)
+                self.assertIn(stage, [use["stage"] for use in report["stages"]])
+                self.assert_done(self.run_it("check", out, "--model", self.plate, "--all-quad"))
 
     def test_report(self):
         report_file = self.path("r.json")

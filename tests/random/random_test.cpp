@@ -91,9 +91,11 @@ TEST_P(Random, MeshKeepsThePromise) {
 }
 
 TEST_P(Random, OtherOptionsKeepItToo) {
-  Options one_sided, delaunay, coarse;
+  Options one_sided, delaunay, coarse, merge, split;
   one_sided.lines = LineFronts::OneSided;
   delaunay.triangles = Triangles::Delaunay;
+  merge.method = Method::Merge;
+  split.method = Method::Split;
   Inspector inspector(GetParam());
   for (int seed = 1; seed <= 5; ++seed) {
     const Model model = model_of(GetParam(), seed);
@@ -101,6 +103,8 @@ TEST_P(Random, OtherOptionsKeepItToo) {
     inspector.inspect(model, one_sided, "one-sided, seed " + std::to_string(seed));
     inspector.inspect(model, delaunay, "delaunay, seed " + std::to_string(seed));
     inspector.inspect(model, coarse, "coarse, seed " + std::to_string(seed));
+    inspector.inspect(model, merge, "merge, seed " + std::to_string(seed));
+    inspector.inspect(model, split, "split, seed " + std::to_string(seed));
   }
   inspector.expect_few_attempts();
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/step_limit.hpp"
 #include "stages/cleanup/grow_patch.hpp"
 #include "stages/cleanup/shapes.hpp"
 #include "stages/cleanup/templates.hpp"
@@ -19,7 +20,8 @@ namespace cleanup {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr int kFirstSweeps = 3;  // of smoothing, before anything is judged
+constexpr std::size_t kStepsPerNode = 100;  // of the work list, at most
+constexpr int kFirstSweeps = 3;             // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 7;
 constexpr std::size_t kTries = 6;        // replacements tried per cavity
 constexpr std::size_t kTriesBroken = 8;  // where something must be mended
@@ -106,8 +108,10 @@ void CleanUp::run(Context& context) {
 void CleanUp::work_off(Context& context, int round) {
   const double n_start = std::max(1.0, static_cast<double>(work_.count()));
   WorkList::Entry entry;
-  for (std::size_t n = 0; work_.pop(entry); ++n) {
-    if (n % 256 == 0) {
+  StepLimit limit("clean-up", kStepsPerNode * mesh_.topo().node_count());
+  while (work_.pop(entry)) {
+    limit.step();
+    if (limit.steps() % 256 == 1) {
       const double done = 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start);
       context.progress("clean-up", (round + done) / kRounds);
     }

@@ -66,15 +66,15 @@ class FrontQueue {
 
 class Driver {
  public:
-  Driver(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out)
-      : mesh_(mesh), left_out_(left_out), morph_(mesh, size), queue_(morph_) {
-    if (lines == LineFronts::OneSided) find_dormant();
+  Driver(WorkMesh& mesh, const SizeField& size, const FrontOptions& options)
+      : mesh_(mesh), options_(options), morph_(mesh, size), queue_(morph_) {
+    if (options.lines == LineFronts::OneSided) find_dormant();
     push_all();
   }
 
   void run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
     const std::size_t n_start = mesh_.topo().face_count();
-    StepLimit limit("the front", kMostSteps * (n_start + 1));
+    StepLimit limit("the front", options_.steps_per_triangle * n_start);
     bool first_layer = true, half_way = true;
     while (next_step()) {
       limit.step();
@@ -91,7 +91,7 @@ class Driver {
         if (observe) observe("half-way", mesh_);
       }
     }
-    morph_.complete(left_out_);
+    morph_.complete(options_.left_out);
   }
 
  private:
@@ -138,7 +138,9 @@ class Driver {
     return true;
   }
 
-  bool is_wanted(HalfId h) const { return is_front(mesh_, h) && !left_out_.contains(mesh_.cell(mesh_.topo().face(h))); }
+  bool is_wanted(HalfId h) const {
+    return is_front(mesh_, h) && !options_.left_out.contains(mesh_.cell(mesh_.topo().face(h)));
+  }
 
   void push_touched() {
     const Topology& topo = mesh_.topo();
@@ -180,9 +182,8 @@ class Driver {
   }
 
   static constexpr int kMostRetries = 8;
-  static constexpr std::size_t kMostSteps = 64;  // per triangle at the start
   WorkMesh& mesh_;
-  const CellSet& left_out_;
+  const FrontOptions& options_;
   Morph morph_;
   FrontQueue queue_;
   IdVector<HalfId, std::uint8_t> dormant_;
@@ -193,10 +194,10 @@ class Driver {
 
 }  // namespace
 
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out,
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
                     const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
-  Driver(mesh, size, lines, left_out).run(observe, context);
+  Driver(mesh, size, options).run(observe, context);
   mesh.sort_in_space();
 }
 

@@ -11,9 +11,14 @@
 
 namespace quadline {
 
+struct FrontOptions {
+  LineFronts lines = LineFronts::TwoSided;
+  CellSet left_out{};                   ///< cells that stay triangles
+  std::size_t steps_per_triangle = 64;  ///< a front that takes more spins
+};
+
 /// Merges the triangles to quads along an advancing front: Q-Morph [Owen1999] with line constraints [Lee2003].
 ///
-/// @param left_out  cells that stay triangles.
 /// @param observe  called after the first layer of quads and half-way, with a name; may be empty.
 /// @pre   triangles only; an even number of edges round every cell.
 /// @post  quads only, but for the cells left out; every constraint is an edge still. Quads may be badly shaped, even
@@ -21,7 +26,7 @@ namespace quadline {
 ///        closed in haste: clean-up and smoothing mend that.
 /// @throws InternalError  the edges round a cell are odd in number, or the front does not end.
 /// Cost O(n log n).
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, LineFronts lines, const CellSet& left_out,
+void merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
                     const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context);
 
 }  // namespace quadline

@@ -322,5 +322,21 @@ TEST(Defect, NamesWhatIsBroken) {
   EXPECT_EQ(defect(tagged_diamond()), "");
 }
 
+TEST(WorkMesh, FrozenFaceStaysUntilItIsThawed) {
+  WorkMesh mesh = made_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0.5}}, {{n(0), n(1), n(2), n(3)}, {n(1), n(4), n(2)}});
+  mesh.set_curve(edge(mesh, 0, 1), CurveId(3));
+  mesh.freeze(face(mesh, 1, 2));
+  EXPECT_TRUE(mesh.is_frozen(face(mesh, 1, 2)));
+  EXPECT_FALSE(mesh.is_frozen(face(mesh, 2, 1)));
+  EXPECT_FALSE(mesh.is_free(n(2)));
+  EXPECT_TRUE(mesh.is_free(n(4)));
+  EXPECT_TRUE(mesh.is_constraint(edge(mesh, 2, 3)));
+  mesh.thaw();
+  EXPECT_FALSE(mesh.is_frozen(face(mesh, 1, 2)));
+  EXPECT_TRUE(mesh.is_free(n(2)));
+  EXPECT_FALSE(mesh.is_constraint(edge(mesh, 2, 3)));
+  EXPECT_EQ(mesh.curve(edge(mesh, 0, 1)), CurveId(3));
+}
+
 }  // namespace
 }  // namespace quadline

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "shapes.hpp"
 
 namespace quadline {
@@ -16,7 +18,7 @@ class QMorph : public testing::TestWithParam<LineFronts> {
 
 TEST_P(QMorph, FindsTheGrid) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4);
-  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
+  merge_to_quads(mesh, size_, {.lines = GetParam()}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(mesh.topo().node_count(), 35u);
@@ -25,7 +27,7 @@ TEST_P(QMorph, FindsTheGrid) {
 
 TEST_P(QMorph, FindsTheGridRoundAnOpenLine) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{15, 16}, {16, 17}, {17, 18}});
-  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
+  merge_to_quads(mesh, size_, {.lines = GetParam()}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(shapes::n_constraints(mesh), 20u + 3);
@@ -36,14 +38,14 @@ TEST_P(QMorph, FindsTheGridRoundAnOpenLine) {
 
 TEST_P(QMorph, LineThatTouchesTheBoundary) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{3, 10}, {10, 17}});
-  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
+  merge_to_quads(mesh, size_, {.lines = GetParam()}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
 }
 
 TEST_P(QMorph, CrossingLines) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4, {{15, 16}, {16, 17}, {17, 18}, {9, 16}, {16, 23}});
-  merge_to_quads(mesh, size_, GetParam(), {}, {}, context_);
+  merge_to_quads(mesh, size_, {.lines = GetParam()}, {}, context_);
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), 24u);
   EXPECT_EQ(shapes::n_constraints(mesh), 20u + 5);
@@ -57,7 +59,7 @@ TEST(QMorphOneSided, FirstLayerStandsOnTheLeftOfTheLineOnly) {
   Context context;
   bool seen = false;
   merge_to_quads(
-      mesh, size, LineFronts::OneSided, {},
+      mesh, size, {.lines = LineFronts::OneSided},
       [&](std::string_view name, const WorkMesh& now) {
         if (name != "first-layer") return;
         seen = true;
@@ -68,12 +70,36 @@ TEST(QMorphOneSided, FirstLayerStandsOnTheLeftOfTheLineOnly) {
   EXPECT_TRUE(seen);
 }
 
+TEST(QMorph, CellsLeftOutStayTriangles) {
+  WorkMesh mesh = shapes::triangulated_grid(6, 4, {{3, 10}, {10, 17}, {17, 24}, {24, 31}});  // from side to side
+  CellSet left_out;
+  left_out.insert(CellId(1));
+  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
+    const Polygon p = mesh.topo().polygon(FaceId(i));
+    if (std::all_of(p.nodes.begin(), p.nodes.begin() + 3, [&](NodeId v) { return mesh.point(v).x >= 3; }))
+      mesh.set_cell(FaceId(i), CellId(1));
+  }
+  const SizeField size = shapes::unit_size();
+  Context context;
+  merge_to_quads(mesh, size, {.left_out = left_out}, {}, context);
+  EXPECT_EQ(defect(mesh), "");
+  EXPECT_EQ(mesh.topo().face_count(), 12u + 24);
+  EXPECT_EQ(shapes::n_triangles(mesh), 24u);
+}
+
+TEST(QMorph, FrontThatSpinsIsStopped) {
+  WorkMesh mesh = shapes::triangulated_grid(6, 4);
+  const SizeField size = shapes::unit_size();
+  Context context;
+  EXPECT_THROW(merge_to_quads(mesh, size, {.steps_per_triangle = 0}, {}, context), InternalError);
+}
+
 TEST(QMorph, StopsWhenAsked) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4);
   const SizeField size = shapes::unit_size();
   Context context;
   context.is_cancelled = [] { return true; };
-  EXPECT_THROW(merge_to_quads(mesh, size, LineFronts::TwoSided, {}, {}, context), Cancelled);
+  EXPECT_THROW(merge_to_quads(mesh, size, {}, {}, context), Cancelled);
 }
 
 }  // namespace
