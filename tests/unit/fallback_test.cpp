@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <optional>
+
 #include "domain/arrange.hpp"
 #include "pipeline.hpp"
 
