@@ -3,12 +3,13 @@ QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
 SOURCES = $(shell find include src io draw cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help setup build demo test paper bench soak fuzz format tidy clean
+.PHONY: help setup build demo test paper compare bench soak fuzz format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
 	@echo "make build   build the release binary, $(QUADLINE)"
 	@echo "make paper   mesh the paper's models and compare with its Table 3"
+	@echo "make compare compare the meshes with Gmsh's, in docs/quality.md"
 	@echo "make bench   run the benchmarks"
 	@echo "make soak    mesh random models until one fails (SOAK='--keep-going --seconds 600')"
 	@echo "make fuzz    run each fuzz target for a minute (FUZZ_SECONDS=60)"
@@ -40,6 +41,11 @@ test: setup
 paper: setup
 	@$(MAKE) --no-print-directory build
 	@$(PYTHON) scripts/paper_table.py $(QUADLINE)
+
+compare: setup
+	@$(MAKE) --no-print-directory build
+	@scripts/install-gmsh build/compare-venv
+	@build/compare-venv/bin/python benchmarks/compare/compare.py --quadline $(QUADLINE)
 
 bench: setup
 	@$(MAKE) --no-print-directory build
