@@ -61,7 +61,7 @@ void add_size(CLI::App& app, Options& options) {
 
 void add_tolerance(CLI::App& app, Options& options) {
   add_number(app, "--tolerance",
-             "points nearer than this are one, and those within half of it of a curve lie on it; default 1e-7 of the "
+             "points nearer than this are one, and those within half of it of a curve lie on it; default 8e-7 of the "
              "model's diagonal, or 1e-3 of the least size where that is less",
              "a length above 0", [&options](double value) {
                options.tolerance = value;

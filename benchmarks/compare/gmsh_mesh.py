@@ -13,6 +13,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "judge"))
 import planemodel  # noqa: E402
 
+FULL_TURN = 6.28
 GROWTH = 0.3  # of the size, per length, away from what asks for a smaller one
 
 
@@ -33,10 +34,11 @@ class Shape:
     def curves(self, path):
         tags = []
         for piece in path.pieces:
-            a, b = self.point(piece.p), self.point(piece.q)
-            if a == b and piece.is_arc:
+            if abs(piece.sweep) > FULL_TURN:
                 tags.append(self.occ.addCircle(float(piece.c[0]), float(piece.c[1]), 0.0, float(piece.r)))
-            elif piece.is_arc:
+                continue
+            a, b = self.point(piece.p), self.point(piece.q)
+            if piece.is_arc:
                 middle = self.occ.addPoint(*map(float, piece.point(piece.length / 2)), 0.0)
                 tags.append(self.occ.addCircleArc(a, middle, b, center=False))
                 self.occ.remove([(0, middle)])
@@ -67,7 +69,19 @@ class Shape:
             for owner, tags in zip(owners, became[len(faces):]):
                 parts[owner] += tags
         occ.synchronize()
-        return parts
+        left = self.drop_outside()
+        return {owner: [tag for tag in tags if tag in left] for owner, tags in parts.items()}
+
+    def drop_outside(self):
+        """Takes away what no face has, such as parts of lines in a hole; returns what is left."""
+        model, faces = self.gmsh.model, self.gmsh.model.getEntities(2)
+        inside = {tag for face in faces for tag in model.mesh.getEmbedded(*face)}
+        curves = {(1, tag) for _, tag in model.getBoundary(faces, combined=False, oriented=False)}
+        curves |= {tag for tag in inside if tag[0] == 1}
+        points = set(model.getBoundary(list(curves), combined=False, oriented=False)) | {tag for tag in inside if tag[0] == 0}
+        for dimension, keep in ((1, curves), (0, points)):
+            model.removeEntities([tag for tag in model.getEntities(dimension) if tag not in keep])
+        return curves | points
 
 
 def hand_over_sizes(gmsh, model, parts):

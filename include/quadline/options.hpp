@@ -31,7 +31,7 @@ struct Options {
   /// At least so many edges on a full turn of a curve, >= 4; on circles small beside the sizes down to half of it.
   double edges_per_circle = 16;
   /// Points nearer than this are one, and points within half of it of a curve lie on it; model units, > 0, at most a
-  /// quarter of the least size. By default 1e-7 of the diagonal of the outer loops, or 1e-3 of the least size where
+  /// quarter of the least size. By default 8e-7 of the diagonal of the outer loops, or 1e-3 of the least size where
   /// that is less.
   std::optional<double> tolerance{};
   double growth = 1.3;  ///< largest ratio of the sizes of neighbouring edges, > 1

@@ -20,7 +20,7 @@ constexpr double kSmallest = 1e-60;
 // that: nobody wants to hear of it. Half a micrometre on a plate of a metre is well above it and below any detail
 // meant.
 constexpr double kRelativeRounding = 1e-8;
-constexpr double kRelativeTolerance = 1e-7;
+constexpr double kRelativeTolerance = 8e-7;
 // Of the least size: elements keep their shape whatever the tolerance moves; a tolerance asked for may be larger.
 constexpr double kToleranceInSize = 1e-3, kMostInSize = 0.25;
 // Far from the origin the spacing of the numbers themselves counts.

@@ -25,6 +25,7 @@ struct Arguments {
   double seconds = 1e9, model_seconds = 30;
   bool keep_going = false;
   std::string folder = "out/soak";
+  std::string models;  ///< folder; not empty: the models are written there, and none is meshed
 };
 
 struct Tally {
@@ -39,6 +40,11 @@ Model model_of(const Family& family, int seed) {
   Model model = family.make(dice);
   model.name = family.name + "-" + std::to_string(seed);
   return model;
+}
+
+void write(const Model& model, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/" + model.name + ".json") << to_model_json(model);
 }
 
 class Soak {
@@ -69,6 +75,7 @@ class Soak {
 
   void start(const Family& family, int seed) {
     if (is_over()) return;
+    if (!arguments_.models.empty()) return write(model_of(family, seed), arguments_.models);
     if (running_.size() == static_cast<std::size_t>(arguments_.processes)) finish_one();
     running_.push_back({&family, seed, Trial(model_of(family, seed), arguments_.model_seconds)});
   }
@@ -107,10 +114,8 @@ class Soak {
     const auto fails = [&](const Model& m) { return Trial(m, arguments_.model_seconds).finish().kind == kind; };
     Model smallest = minimise(model_of(family, seed), fails, arguments_.minimise_runs);
     smallest.about = kind;
-    std::filesystem::create_directories(arguments_.folder);
-    const std::string file = arguments_.folder + "/" + smallest.name + ".json";
-    std::ofstream(file) << to_model_json(smallest);
-    std::printf("  smallest model: %s\n", file.c_str());
+    write(smallest, arguments_.folder);
+    std::printf("  smallest model: %s/%s.json\n", arguments_.folder.c_str(), smallest.name.c_str());
   }
 
   void print() const {
@@ -143,6 +148,7 @@ int main(int argc, char** argv) {
   app.add_option("--processes", arguments.processes, "models at a time")->check(CLI::PositiveNumber);
   app.add_option("--minimise-runs", arguments.minimise_runs, "runs to make a failing model smaller");
   app.add_option("--out", arguments.folder, "folder of the failing models");
+  app.add_option("--models", arguments.models, "write the models into this folder, and mesh none");
   app.add_flag("--keep-going", arguments.keep_going, "do not stop at the first failure");
   CLI11_PARSE(app, argc, argv);
   return Soak(arguments).run() == 0 ? 0 : 1;

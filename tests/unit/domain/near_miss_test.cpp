@@ -83,7 +83,7 @@ TEST(NearMiss, TheToleranceAskedForJoins) {
 
 TEST(NearMiss, TheToleranceFollowsTheLeastSize) {
   Model model = plate_with({2, 2}, {3, 3});
-  EXPECT_DOUBLE_EQ(arranged(model).tolerance, 1e-7 * kDiagonal);
+  EXPECT_DOUBLE_EQ(arranged(model).tolerance, 8e-7 * kDiagonal);
   model.lines[0].size = 1e-5 * kDiagonal;
   EXPECT_DOUBLE_EQ(arranged(model).tolerance, 1e-8 * kDiagonal);
 }
