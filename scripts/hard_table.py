@@ -21,7 +21,8 @@ SECONDS = 120
 def found(findings):
     """The first two findings with their places, and how many more there are."""
     texts = ["%s at (%g, %g)" % (f["text"], *f["at"]) if f["at"] else f["text"] for f in findings]
-    return "; ".join(texts[:2]) + ("; and %d more" % (len(texts) - 2) if len(texts) > 2 else "")
+    more = ["and %d more" % (len(texts) - 2)] if len(texts) > 2 else []
+    return "; ".join(texts[:2] + more) or "–"
 
 
 def row(quadline, model):
