@@ -3,7 +3,7 @@ QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
 SOURCES = $(shell find include src io draw cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help setup build demo test paper compare bench soak fuzz format tidy clean
+.PHONY: help setup build demo test paper compare bench soak fuzz coverage format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
@@ -13,6 +13,7 @@ help:
 	@echo "make bench   run the benchmarks"
 	@echo "make soak    mesh random models until one fails (SOAK='--keep-going --seconds 600')"
 	@echo "make fuzz    run each fuzz target for a minute (FUZZ_SECONDS=60)"
+	@echo "make coverage  the share of the lines that the tests reach"
 	@echo "make format  format the sources"
 	@echo "make tidy    lint them"
 	@echo "make clean   remove build/ and out/"
@@ -59,6 +60,13 @@ soak: setup
 
 fuzz: setup
 	@scripts/run-fuzz $(or $(FUZZ_SECONDS),60)
+
+coverage: setup
+	@test -f build/coverage/build.ninja || cmake --preset coverage > /dev/null
+	@cmake --build --preset coverage
+	@find build/coverage -name '*.gcda' -delete
+	@ctest --preset coverage -j2
+	@$(PYTHON) scripts/coverage.py
 
 format:
 	@clang-format-19 -i $(SOURCES)
