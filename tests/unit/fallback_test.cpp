@@ -98,13 +98,13 @@ TEST_F(Fallback, CancellingStopsIt) {
   EXPECT_THROW(attempt(), Cancelled);
 }
 
-// Two lines that end 1e-6 beside a third, closer than anything that can be meshed as asked.
+// Lines that end 1e-5 beside a third, closer than anything that can be meshed as asked.
 Model near_ends() {
   Model model;
   model.size = 0.5;
   model.outer.push_back({.items = {{{0, 0}}, {{8, 0}}, {{8, 6}}, {{0, 6}}}});
   model.lines.push_back({.name = "deck", .path = {.items = {{{1, 3}}, {{7, 3.4}}}}});
-  for (const auto& [x, y, gap] : {std::array{3.2, 1.0, -1e-6}, std::array{3.5, 5.0, 2e-6}, std::array{3.7, 5.5, 1e-6}})
+  for (const auto& [x, y, gap] : {std::array{3.2, 1.0, -1e-5}, std::array{3.5, 5.0, 2e-5}, std::array{3.7, 5.5, 1e-5}})
     model.lines.push_back({.name = {}, .path = {.items = {{{x, y}}, {{x, 3 + 0.4 * (x - 1) / 6 + gap}}}}});
   return model;
 }
