@@ -47,6 +47,7 @@ compare: setup
 	@$(MAKE) --no-print-directory build
 	@scripts/install-gmsh build/compare-venv
 	@build/compare-venv/bin/python benchmarks/compare/compare.py --quadline $(QUADLINE)
+	@$(PYTHON) benchmarks/compare/symmetry.py --quadline $(QUADLINE)
 
 bench: setup
 	@$(MAKE) --no-print-directory build

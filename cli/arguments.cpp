@@ -88,9 +88,8 @@ void add_arrangement_options(CLI::App& app, Options& options) {
       "a number of 4 or more", set_per_circle);
 }
 
-void add_criteria(CLI::App& app, std::string& criteria) {
-  app.add_option("--criteria", criteria,
-                 "count the quads beyond limits, and name the worst: csr-fine, hypermesh-10mm, growth, or a JSON file")
+void add_criteria(CLI::App& app, const std::string& does, std::string& criteria) {
+  app.add_option("--criteria", criteria, does + ": csr-fine, hypermesh-10mm, growth, or a JSON file")
       ->type_name("NAME");
 }
 
@@ -127,7 +126,8 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("DIR");
   mesh->add_option("--report", arguments.report, "write counts, quality, seconds and memory into this JSON file")
       ->type_name("FILE");
-  add_criteria(*mesh, arguments.criteria);
+  add_criteria(*mesh, "move nodes where quads are beyond limits, count those that stay so, and name the worst",
+               arguments.criteria);
   mesh->add_flag("--json", arguments.json, "print the report instead of the table");
   mesh->add_flag("--quiet", arguments.quiet, "print nothing but errors and what of the model was dropped");
   mesh->add_flag("--keep-bad", arguments.keep_bad, "write the mesh even if it breaks the promise; exits with 3 still");
@@ -141,7 +141,7 @@ CLI::App* add_check(CLI::App& app, CheckArguments& arguments) {
       ->type_name("MODEL");
   check->add_flag("--all-quad", arguments.all_quad, "triangles make the mesh invalid");
   add_tolerance(*check, arguments.options);
-  add_criteria(*check, arguments.criteria);
+  add_criteria(*check, "count the quads beyond limits, and name the worst", arguments.criteria);
   check->add_flag("--json", arguments.json, "print JSON instead of the table");
   return check;
 }
@@ -216,7 +216,9 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     refuse_unknown_words(app, argc, argv);
-    throw InputError(std::string(error.what()) + ": see 'quadline --help'");
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    throw InputError(std::string(error.what()) + ": see 'quadline" + command + " --help'");
   }
   if (app.get_subcommands().empty())
     throw InputError("expected a command: mesh, check, info or draw: see 'quadline --help'");

@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "cli/commands.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
@@ -6,10 +8,10 @@
 namespace quadline {
 
 int run(const DrawArguments& arguments) {
-  const MeshFile output = mesh_file(arguments.output);
-  if (output.format != "svg") throw InputError("is no picture: use .svg", Where{arguments.output, {}, {}});
-  check_can_write(output.path);
-  write_mesh(read_mesh(arguments.mesh), output);
+  const std::optional<MeshFile> output = find_mesh_file(arguments.output);
+  if (!output || output->format != "svg") throw InputError("is no picture: use .svg", Where{arguments.output, {}, {}});
+  check_can_write(output->path);
+  write_mesh(read_mesh(arguments.mesh), *output);
   return kDone;
 }
 

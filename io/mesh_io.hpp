@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "quadline/mesh.hpp"
@@ -16,6 +17,10 @@ struct MeshFile {
 
 /// "plate.msh": the format follows the extension, in small or capital letters. "msh:/dev/stdout": it is named, for what
 /// has no extension. A file whose name starts like that is told by its folder: "./msh:plate.vtu".
+/// Nothing where the extension is unknown.
+std::optional<MeshFile> find_mesh_file(const std::string& text);
+
+/// As find_mesh_file.
 /// @throws InputError  the extension is unknown.
 MeshFile mesh_file(const std::string& text);
 

@@ -1,3 +1,4 @@
+#include <optional>
 #include <string_view>
 
 #include "base/check.hpp"
@@ -58,13 +59,20 @@ void check_arrays(const Mesh& mesh) {
 
 }  // namespace
 
-MeshFile mesh_file(const std::string& text) {
+std::optional<MeshFile> find_mesh_file(const std::string& text) {
   const std::size_t colon = text.find(':');
-  if (colon != text.npos && format_of(text.substr(0, colon))) return {text.substr(colon + 1), text.substr(0, colon)};
+  if (colon != text.npos && format_of(text.substr(0, colon)))
+    return MeshFile{text.substr(colon + 1), text.substr(0, colon)};
   const std::filesystem::path path = text;
   const std::string extension = path.extension().string();
   const std::string format = lower_case(extension.substr(extension.empty() ? 0 : 1));
-  if (format_of(format)) return {path, format};
+  if (format_of(format)) return MeshFile{path, format};
+  return std::nullopt;
+}
+
+MeshFile mesh_file(const std::string& text) {
+  if (const std::optional<MeshFile> file = find_mesh_file(text)) return *file;
+  const std::string extension = std::filesystem::path(text).extension().string();
   throw InputError("the format '" + extension + "' is unknown: use .vtu, .msh, .inp, .svg or .json" +
                        (extension.empty() ? ", or name the format: vtu:" + text : ""),
                    Where{text, {}, {}});

@@ -121,10 +121,16 @@ class Usage(CommandLine):
         b = self.path("b.vtu")
         self.assert_fails(2, b + ": is given twice", "mesh", self.plate, "-o", b, "-o", b)
         self.assert_fails(2, b + ": is no picture: use .svg", "draw", b, "-o", b)
+        png = self.path("b.png")
+        self.assert_fails(2, png + ": is no picture: use .svg", "draw", b, "-o", png)
         self.assert_fails(2, "/dev/stdout: the format '' is unknown: use .vtu, .msh, .inp, .svg or .json, or name the "
                           "format: vtu:/dev/stdout", "mesh", self.plate, "-o", "/dev/stdout")
         self.assert_fails(2, "standard output takes the mesh already: give --report FILE instead of --json",
                           "mesh", self.plate, "-o", "vtu:/dev/stdout", "--json")
+
+    def test_what_is_missing_is_named_with_the_command_that_lacks_it(self):
+        self.assert_fails(2, "MODEL is required: see 'quadline mesh --help'", "mesh")
+        self.assert_fails(2, "MESH is required: see 'quadline check --help'", "check")
 
     def test_slips_of_the_pen_are_named(self):
         for words, message in [(["mesh", self.plate, "--sise", "3"], "unknown option '--sise': did you mean '--size'?"),
