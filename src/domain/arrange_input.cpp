@@ -272,11 +272,11 @@ class Reader {
     if (distance(a, b) <= work_.tolerance && distance_to(chord, via) > work_.tolerance) {
       fail("an arc ends where it starts: give a circle, or two arcs", place, a);
     }
-    if (distance_to(chord, via) <= flat) return chord;
     if (std::min(distance(a, via), distance(b, via)) <= work_.tolerance) {
       work_.findings.push_back({"an arc's middle point lies at its end: taken as straight", place, via});
       return chord;
     }
+    if (distance_to(chord, via) <= flat) return chord;
     const CurvePiece arc = arc_through(a, via, b);
     if (!arc.is_arc() || (std::abs(arc.sweep) > kHalfTurn && arc.radius > kFarArc * diagonal_)) {
       fail("the middle point of an arc lies in line with its ends, but not between them", place, via);

@@ -440,6 +440,15 @@ TEST(Arrange, TakesAnArcThatHardlyBendsAsStraight) {
   EXPECT_FALSE(domain.curves[domain.paths[1].curves[0].curve].piece.is_arc());
 }
 
+TEST(Arrange, TellsOfAnArcWhoseMiddleIsItsEnd) {
+  for (const Point via : {Point{1, 1}, Point{4, 1}, Point{4, 1 + 1e-7}}) {
+    Model model = plate();
+    model.lines = {line({{1, 1}, {4, 1}}, "flat")};
+    model.lines[0].path.items[1].via = via;
+    EXPECT_EQ(count_findings(arranged(model), "an arc's middle point lies at its end"), 1u);
+  }
+}
+
 TEST(ArrangeErrors, SayWhatAndWhere) {
   Model model = plate();
   model.size = 0;
