@@ -124,11 +124,13 @@ class Builder {
       Domain::Path path{.name = route.name, .kind = route.kind, .curves = {}};
       std::set<CurveId> used;
       bool is_outside = false, is_repeated = false;
-      Point left_at, repeated_at;
+      Point left_at, repeated_at;  // where the route crosses the boundary first; its start where it does not
       for (const DirectedCurve& use : route.uses) {
         const Piece& piece = work_.pieces[use.curve];
+        const Point start = work_.vertices[use.reversed ? piece.head : piece.tail].at;
+        if (is_outside && path.curves.empty() && parts_.is_kept(use.curve)) left_at = start;
         if (!parts_.is_kept(use.curve)) {
-          if (!is_outside) left_at = work_.vertices[use.reversed ? piece.head : piece.tail].at;
+          if (!is_outside) left_at = start;
           is_outside = true;
         } else if (!used.insert(use.curve).second) {
           if (!is_repeated) repeated_at = piece.curve.a;

@@ -347,7 +347,7 @@ TEST(Arrange, TrimsLinesOutsideAndForgetsWhereTheyTouch) {
   const auto through = std::find_if(domain.findings.begin(), domain.findings.end(),
                                     [](const Finding& f) { return f.text.find("through") != std::string::npos; });
   EXPECT_EQ(through->place, "/lines/0/path");
-  EXPECT_EQ(through->at, (Point{-2, 3}));
+  EXPECT_EQ(through->at, (Point{0, 3}));
 }
 
 TEST(Arrange, PutsAnIslandInAHole) {
@@ -438,6 +438,17 @@ TEST(Arrange, TakesAnArcThatHardlyBendsAsStraight) {
   model.lines[0].path.items = {{{1, 3}, {}}, {{9, 3}, Point{5, 3 + 1e-12}}};
   const Domain domain = arranged(model);
   EXPECT_FALSE(domain.curves[domain.paths[1].curves[0].curve].piece.is_arc());
+}
+
+TEST(Arrange, TellsWhereALineCrossesTheBoundary) {
+  Model model = plate();
+  model.lines = {line({{5, -4}, {5, -2}, {5, 3}}, "in"), line({{7, 3}, {7, 9}}, "out"),
+                 line({{12, 1}, {12, 2}, {12, 3}}, "beside")};
+  const Domain domain = arranged(model);
+  ASSERT_EQ(domain.findings.size(), 3u);
+  EXPECT_EQ(domain.findings[0].at, (Point{5, 0}));
+  EXPECT_EQ(domain.findings[1].at, (Point{7, 6}));
+  EXPECT_EQ(domain.findings[2].at, (Point{12, 1}));
 }
 
 TEST(Arrange, TellsOfAnArcWhoseMiddleIsItsEnd) {
