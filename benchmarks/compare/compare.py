@@ -20,6 +20,7 @@ ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 sys.path.insert(0, os.path.join(ROOT, "tests", "judge"))
 import meshjudge  # noqa: E402
 import table  # noqa: E402
+from marked_page import write_between  # noqa: E402
 
 KEPT = os.path.join(ROOT, "build", "compare")
 DOC = os.path.join(ROOT, "docs", "quality.md")
@@ -102,14 +103,6 @@ def pictures(quadline, model, mesh, rows):
             (name, name, name, best["mode"], name))
 
 
-def write_doc(text):
-    with open(DOC, encoding="utf-8") as file:
-        page = file.read()
-    head, rest = page.split(BEGIN)
-    with open(DOC, "w", encoding="utf-8") as file:
-        file.write(head + BEGIN + text + END + rest.split(END)[1])
-
-
 def main():
     parser = argparse.ArgumentParser(description="Compare Quadline with Gmsh.")
     parser.add_argument("--quadline", default=os.path.join(ROOT, "build", "release", "quadline"))
@@ -133,7 +126,7 @@ def main():
     text = table.table(rows, gmsh) + "\n\n" + (table.summary(rows, gmsh) + "\n" if version else "")
     print(text)
     if version and not arguments.no_docs:
-        write_doc("Gmsh %s.\n\n" % version + text + "\n| Quadline | Gmsh, the mode with the best beta |\n|---|---|\n" +
+        write_between(DOC, BEGIN, END, "Gmsh %s.\n\n" % version + text + "\n| Quadline | Gmsh, the mode with the best beta |\n|---|---|\n" +
                   "\n".join(shown) + "\n")
     return 0 if all(row["valid"] for row in rows) else 1
 

@@ -19,6 +19,7 @@ from scipy.spatial import cKDTree
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(ROOT, "tests", "judge"))
 import meshjudge  # noqa: E402
+from marked_page import write_between  # noqa: E402
 import meshread  # noqa: E402
 import planemodel  # noqa: E402
 
@@ -149,14 +150,6 @@ def symmetry_table(rows):
     return "\n".join(lines)
 
 
-def write_doc(text):
-    with open(DOC, encoding="utf-8") as file:
-        page = file.read()
-    head, rest = page.split(BEGIN)
-    with open(DOC, "w", encoding="utf-8") as file:
-        file.write(head + BEGIN + text + END + rest.split(END)[1])
-
-
 def main():
     parser = argparse.ArgumentParser(description="Measure what mirroring and turning a model changes.")
     parser.add_argument("--quadline", default=os.path.join(ROOT, "build", "release", "quadline"))
@@ -173,7 +166,7 @@ def main():
     text = "\n" + spread_table(rows) + "\n\n" + symmetry_table([plate] + rows) + "\n\n"
     print(text)
     if not arguments.no_docs:
-        write_doc(text)
+        write_between(DOC, BEGIN, END, text)
 
 
 if __name__ == "__main__":

@@ -17,8 +17,7 @@ constexpr double kLargest = 1e60;
 constexpr double kSmallest = 1e-60;
 
 // Model data are rounded to about 1e-9 of the coordinates, and an arc through three rounded points is off by some times
-// that: nobody wants to hear of it. Half a micrometre on a plate of a metre is well above it and below any detail
-// meant.
+// that: nobody wants to hear of it. A micrometre on a plate of a metre is well above it and below any detail meant.
 constexpr double kRelativeRounding = 1e-8;
 constexpr double kRelativeTolerance = 8e-7;
 // Of the least size: elements keep their shape whatever the tolerance moves; a tolerance asked for may be larger.
