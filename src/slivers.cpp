@@ -49,15 +49,20 @@ Point centre_of(const WorkMesh& mesh, FaceId f) {
 }
 
 void freeze_slivers(WorkMesh& mesh) {
-  IdVector<FaceId, std::uint8_t> is_frozen(mesh.topo().face_capacity(), 0);
-  for (bool more = true; more;) {  // the nodes of what is frozen stay, which makes other corners count
-    more = false;
-    for_each_face(mesh, [&](FaceId f) {
-      if (is_frozen[f] || !is_sound(mesh, f) || !is_sliver(mesh, f)) return;
-      mesh.freeze(f);
-      is_frozen[f] = 1;
-      more = true;
-    });
+  const Topology& topo = mesh.topo();
+  IdVector<FaceId, std::uint8_t> is_frozen(topo.face_capacity(), 0);
+  std::vector<FaceId> work;
+  for_each_face(mesh, [&](FaceId f) { work.push_back(f); });
+  while (!work.empty()) {
+    const FaceId f = work.back();
+    work.pop_back();
+    if (is_frozen[f] || !is_sound(mesh, f) || !is_sliver(mesh, f)) continue;
+    mesh.freeze(f);
+    is_frozen[f] = 1;
+    for (const NodeId v : topo.polygon(f).corners())  // they stay now, which makes other corners count
+      topo.for_each_out(v, [&](HalfId h) {
+        if (topo.face(h).valid()) work.push_back(topo.face(h));
+      });
   }
 }
 

@@ -139,12 +139,6 @@ double distance_to(const CurvePiece& piece, Point p) {
   return std::min(distance(p, piece.a), distance(p, piece.b));
 }
 
-double twice_area_under(const CurvePiece& piece, Point origin) {
-  double twice = cross(piece.a - origin, piece.b - origin);
-  if (piece.is_arc()) twice += norm2(piece.a - piece.center) * (piece.sweep - std::sin(piece.sweep));
-  return twice;
-}
-
 std::vector<Point> meetings(const Piece& p, const Piece& q, double tolerance) {
   return Meetings(p, q, tolerance).find();
 }

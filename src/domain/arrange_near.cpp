@@ -9,7 +9,9 @@ namespace quadline::arrangement {
 
 namespace {
 
-constexpr double kNear = 0.1;  // in sizes
+constexpr double kNear = 0.1;       // in sizes
+constexpr double kFirstReach = 16;  // in tolerances
+constexpr double kWiden = 4;
 
 std::string digits(double length) {
   char text[32];
@@ -51,6 +53,27 @@ IdVector<CurveId, std::string> names_of_curves(const Domain& domain) {
   return names;
 }
 
+struct Neighbour {
+  CurveId curve;
+  double gap;
+};
+
+/// The curve nearest to a loose end, of those nearer than `most`; invalid: none. The search widens until it meets one,
+/// so that what it looks at does not grow with the size.
+Neighbour nearest_curve(const Domain& domain, const BoxTree& tree, const LooseEnd& end, double most) {
+  const Point at = domain.vertices[end.vertex].at;
+  for (double reach = kFirstReach * domain.tolerance;; reach *= kWiden) {
+    Neighbour nearest{CurveId(), std::min(reach, most)};
+    tree.query(inflated({at, at}, nearest.gap), [&](std::uint32_t i) {
+      if (CurveId(i) == end.curve) return;
+      const CurvePiece& piece = domain.curves[CurveId(i)].piece;
+      const double d = distance(at, point_at(piece, project(piece, at)));
+      if (d < nearest.gap) nearest = {CurveId(i), d};
+    });
+    if (nearest.curve.valid() || reach >= most) return nearest;
+  }
+}
+
 }  // namespace
 
 void Work::report_joined(const char* what, double gap, Point at) {
@@ -63,19 +86,11 @@ void report_near_misses(const Domain& domain, std::vector<Finding>& findings) {
   std::vector<Box> boxes;
   for (const Domain::Curve& curve : domain.curves) boxes.push_back(box(curve.piece));
   const BoxTree tree(boxes);
+  const double diagonal = distance(domain.box.lo, domain.box.hi);
   const IdVector<CurveId, std::string> names = names_of_curves(domain);
   for (const LooseEnd& end : ends) {
     const Point at = domain.vertices[end.vertex].at;
-    double gap = kNear * end.size;
-    CurveId other;
-    tree.query(inflated({at, at}, gap), [&](std::uint32_t i) {
-      const Domain::Curve& curve = domain.curves[CurveId(i)];
-      if (CurveId(i) == end.curve) return;
-      const double d = distance(at, point_at(curve.piece, project(curve.piece, at)));
-      if (!(d < gap)) return;
-      gap = d;
-      other = CurveId(i);
-    });
+    const auto [other, gap] = nearest_curve(domain, tree, end, kNear * std::min(end.size, diagonal));
     if (other.valid())
       findings.push_back({(end.curve.valid() ? names[end.curve] + " ends " : "a point lies ") + digits(gap) + " from " +
                               names[other] +

@@ -119,9 +119,6 @@ bool is_beside(const CurvePiece& arc, Point p);
 /// Distance of p from the nearest point of the piece; an arc makes at most half a turn.
 double distance_to(const CurvePiece& piece, Point p);
 
-/// Twice the signed area that the line from `origin` sweeps as its other end goes along the piece.
-double twice_area_under(const CurvePiece& piece, Point origin);
-
 /// Half-edges are numbered: 2 * piece, and + 1 for the way back.
 using Half = std::uint32_t;
 constexpr Half kNoHalf = UINT32_MAX;

@@ -11,12 +11,6 @@ namespace {
 constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kQuadsOfSplit = 1.15;  // measured; see docs/methods.md
 
-/// Twice the area between the curve and `origin`; positive where it runs counter-clockwise round it.
-double twice_area_under(const CurvePiece& piece, Point origin) {
-  const double chord = cross(piece.a - origin, piece.b - origin);
-  return chord + piece.radius * piece.radius * (piece.sweep - std::sin(piece.sweep));
-}
-
 double area_of(const Domain& domain, const Domain::Cell& cell) {
   double twice = 0;
   for (const auto& walk : cell.walks)

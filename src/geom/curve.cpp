@@ -110,6 +110,12 @@ double project(const CurvePiece& piece, Point p) {
   return distance(p, piece.a) <= distance(p, piece.b) ? 0 : total;
 }
 
+double twice_area_under(const CurvePiece& piece, Point origin) {
+  double twice = cross(piece.a - origin, piece.b - origin);
+  if (piece.is_arc()) twice += norm2(piece.a - piece.center) * (piece.sweep - std::sin(piece.sweep));
+  return twice;
+}
+
 CurvePiece sub_piece(const CurvePiece& piece, double s0, double s1, Point start, Point end) {
   CurvePiece part{.a = start, .b = end};
   if (!piece.is_arc()) return part;

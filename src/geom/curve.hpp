@@ -34,6 +34,9 @@ Point tangent_at(const CurvePiece& piece, double s);
 /// Arc length of the point of the piece that is nearest to p.
 double project(const CurvePiece& piece, Point p);
 
+/// Twice the signed area that the line from `origin` sweeps as its other end goes along the piece.
+double twice_area_under(const CurvePiece& piece, Point origin);
+
 /// The part of the piece from s0 to s1, 0 <= s0 < s1 <= length; its ends are given, so that pieces stay joined.
 CurvePiece sub_piece(const CurvePiece& piece, double s0, double s1, Point start, Point end);
 

@@ -21,14 +21,12 @@ bool is_polygon(const Domain& domain, const Domain::Cell& cell) {
   return turn < kStraight;
 }
 
-/// Twice the area between the chords of a walk.
+/// Twice the area inside a walk.
 double twice_area(const Domain& domain, const std::vector<DirectedCurve>& walk) {
   const Point origin = domain.curves[walk[0].curve].piece.a;
   double sum = 0;
-  for (const DirectedCurve& d : walk) {
-    const CurvePiece& piece = domain.curves[d.curve].piece;
-    sum += (d.reversed ? -1 : 1) * cross(piece.a - origin, piece.b - origin);
-  }
+  for (const DirectedCurve& d : walk)
+    sum += (d.reversed ? -1 : 1) * twice_area_under(domain.curves[d.curve].piece, origin);
   return sum;
 }
 
