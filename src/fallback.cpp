@@ -9,7 +9,7 @@ namespace quadline {
 
 namespace {
 
-constexpr std::size_t kMostAttempts = 10;
+constexpr std::size_t kMostAttempts = 24;
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);

@@ -66,7 +66,8 @@ class Pipeline {
   // From the nodes on the curves to quads of all kinds.
   WorkMesh quads(const SizeField& final_size) {
     const SizeField size = halves() ? final_size.doubled() : final_size;
-    WorkMesh mesh = clock_.run("discretize", [&] { return discretize(domain_, size, context_); });
+    const EdgeUse use = halves() ? EdgeUse::Halved : EdgeUse::Whole;
+    WorkMesh mesh = clock_.run("discretize", [&] { return discretize(domain_, size, use, context_); });
     clock_.run("triangulate", [&] { triangulate(mesh, domain_, context_); });
     snapshot("triangulation", mesh);
     clock_.run("field points",

@@ -59,7 +59,8 @@ void freeze_slivers(WorkMesh& mesh) {
     if (is_frozen[f] || !is_sound(mesh, f) || !is_sliver(mesh, f)) continue;
     mesh.freeze(f);
     is_frozen[f] = 1;
-    for (const NodeId v : topo.polygon(f).corners())  // they stay now, which makes other corners count
+    const Polygon held = topo.polygon(f);
+    for (const NodeId v : held.corners())  // they stay now, which makes other corners count
       topo.for_each_out(v, [&](HalfId h) {
         if (topo.face(h).valid()) work.push_back(topo.face(h));
       });

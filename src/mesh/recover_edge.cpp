@@ -4,6 +4,12 @@
 
 namespace quadline {
 
+namespace {
+
+constexpr std::size_t kSwapsPerEdge = 16;  // beyond it they go round in a circle: both diagonals cross a-b
+
+}  // namespace
+
 Way way_between(const WorkMesh& mesh, NodeId a, NodeId b, EdgeId held, std::size_t most_crossed) {
   const Topology& topo = mesh.topo();
   const Point pa = mesh.point(a), pb = mesh.point(b);
@@ -44,15 +50,17 @@ HalfId recover_edge(WorkMesh& mesh, NodeId a, NodeId b, std::vector<EdgeId>& way
   const Topology& topo = mesh.topo();
   const Point pa = mesh.point(a), pb = mesh.point(b);
   std::vector<EdgeId> later;
+  std::size_t swaps_left = kSwapsPerEdge * way.size();
   for (bool progress = true; progress && !way.empty(); way.swap(later)) {
     progress = false;
     later.clear();
     for (const EdgeId e : way) {
-      if (mesh.can_swap(e) != Refusal::None) {
+      if (swaps_left == 0 || mesh.can_swap(e) != Refusal::None) {
         later.push_back(e);
         continue;
       }
       mesh.swap_edge(e);
+      --swaps_left;
       progress = true;
       const NodeId c = topo.tail(half_of(e)), d = topo.head(half_of(e));
       const bool at_end = c == a || c == b || d == a || d == b;

@@ -28,7 +28,7 @@ Way way_between(const WorkMesh& mesh, NodeId a, NodeId b, EdgeId held, std::size
 ///
 /// @param way   of `way_between(a, b)`, without an obstacle; empty afterwards.
 /// @param made  gets the edges that were swapped, but a-b itself.
-/// @return  the half-edge from a to b; invalid where the swaps came to no end (not seen; guards against a hang).
+/// @return  the half-edge from a to b; invalid where the swaps go round in a circle (given up after 16 for each edge).
 HalfId recover_edge(WorkMesh& mesh, NodeId a, NodeId b, std::vector<EdgeId>& way, std::vector<EdgeId>& made);
 
 }  // namespace quadline

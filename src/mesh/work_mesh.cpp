@@ -1,5 +1,6 @@
 #include "mesh/work_mesh.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "base/check.hpp"
@@ -86,11 +87,29 @@ void WorkMesh::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
 #ifndef NDEBUG
   for (const FaceId f : faces) QUADLINE_CHECK(cell_[f] == cell);
 #endif
+  const std::vector<Segment> inside = constraints_inside(faces);
   std::vector<HalfId> fresh;
   topo_.replace_cavity(faces, polygons, made, fresh);
   fit();
   for (const HalfId h : fresh) curve_[edge_of(h)] = CurveId();
   for (const FaceId f : made) cell_[f] = cell;
+  for (const Segment& s : inside) {
+    const HalfId h = topo_.find(s.a, s.b);
+    QUADLINE_CHECK(h.valid());
+    curve_[edge_of(h)] = s.curve;
+  }
+}
+
+// A cavity may go round the end of an open line, and so hold both sides of its last edge.
+std::vector<Segment> WorkMesh::constraints_inside(std::span<const FaceId> faces) const {
+  std::vector<Segment> found;
+  for (const FaceId f : faces)
+    topo_.for_each_half(f, [&](HalfId h) {
+      if (!is_constraint(h) || h > twin(h) || std::find(faces.begin(), faces.end(), topo_.face(twin(h))) == faces.end())
+        return;
+      found.push_back({topo_.tail(h), topo_.head(h), curve_[edge_of(h)]});
+    });
+  return found;
 }
 
 void WorkMesh::freeze(FaceId f) {

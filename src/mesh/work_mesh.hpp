@@ -90,7 +90,8 @@ class WorkMesh {
   void split_edge(EdgeId e, NodeId v);                            ///< the same at an isolated node
   NodeId split_face(FaceId f, Point p, const NodeTag& tag = {});  ///< a triangle into three
   void split_face(FaceId f, NodeId v);                            ///< the same at an isolated node
-  /// See Topology::replace_cavity; the new faces get the cell of the first old one, which all must share.
+  /// See Topology::replace_cavity; the new faces get the cell of the first old one, which all must share. They must
+  /// have every constraint that lies inside the cavity.
   void replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons, std::vector<FaceId>& made);
 
   /// Holds a face as it is until `thaw`: its nodes stay where they are, its edges count as constraints.
@@ -111,6 +112,7 @@ class WorkMesh {
   std::vector<Segment> segments;
 
  private:
+  std::vector<Segment> constraints_inside(std::span<const FaceId> faces) const;
   void fit();  ///< grows the arrays after the connectivity
   void follow(const Topology::Renumbering& map);
   static constexpr CurveId kFrozen{UINT32_MAX - 1};  ///< of edges that no curve holds

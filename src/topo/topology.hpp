@@ -22,7 +22,8 @@ struct Polygon {
   Polygon() = default;
   Polygon(NodeId a, NodeId b, NodeId c) : nodes{a, b, c, NodeId()}, n(3) {}
   Polygon(NodeId a, NodeId b, NodeId c, NodeId d) : nodes{a, b, c, d}, n(4) {}
-  std::span<const NodeId> corners() const { return {nodes.data(), static_cast<std::size_t>(n)}; }
+  std::span<const NodeId> corners() const& { return {nodes.data(), static_cast<std::size_t>(n)}; }
+  std::span<const NodeId> corners() const&& = delete;  // it would outlive its nodes
 };
 
 /// Connectivity of a plane mesh of triangles and quads, as half-edges; no coordinates.

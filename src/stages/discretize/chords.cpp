@@ -10,6 +10,8 @@
 namespace quadline {
 namespace {
 
+constexpr double kClearance = 4;  // of a node from an arc whose chord is halved, in bulges; 2 keep triangles sound
+
 /// A chord of a curve, or a lone point (a == b, no curve).
 struct Chord {
   Point a, b;
@@ -44,6 +46,18 @@ bool is_in_bulge(const Chord& c, const CurvePiece& arc, Point p) {
   return orientation(c.a, c.b, p) == side && norm2(p - arc.center) <= arc.radius * arc.radius;
 }
 
+/// p lies outside an arc, over the chord and nearer than a few of its bulges: the middle of the arc may lie behind p.
+bool is_close_outside(const Chord& c, const CurvePiece& arc, Point p) {
+  const double gap = distance(p, arc.center) - arc.radius;
+  if (gap < 0 || gap >= kClearance * c.bulge) return false;
+  const Point foot = arc.center + (arc.radius / (arc.radius + gap)) * (p - arc.center);
+  return dot(foot - c.a, c.b - c.a) > 0 && dot(foot - c.b, c.a - c.b) > 0;
+}
+
+bool share_vertex(const Domain::Curve& p, const Domain::Curve& q) {
+  return p.tail == q.tail || p.tail == q.head || p.head == q.tail || p.head == q.head;
+}
+
 std::vector<Chord> chords_of(const Domain& domain, const Polylines& lines) {
   std::vector<Chord> chords;
   for (std::size_t i = 0; i < lines.count(); ++i) {
@@ -60,28 +74,61 @@ std::vector<Chord> chords_of(const Domain& domain, const Polylines& lines) {
   return chords;
 }
 
+/// Tells which arcs are too coarse, by pairs of chords.
+class ChordJudge {
+ public:
+  ChordJudge(const Domain& domain, EdgeUse use) : domain_(domain), use_(use) {}
+
+  /// How far from a chord others matter to it.
+  double reach(const Chord& c) const { return (use_ == EdgeUse::Halved ? 1 + kClearance : 1) * std::max(c.bulge, 0.0); }
+
+  /// The arc that needs more nodes because of these two; invalid: none, or it is found from d.
+  CurveId guilty(const Chord& c, const Chord& d) const {
+    if (cuts_off_a_node(c, d)) return c.curve;
+    // Not both at once: where arcs touch, that may never end.
+    if (cuts_off_a_node(d, c)) return CurveId();
+    if (conflict(c, d)) return is_arc(d.curve) && d.bulge > c.bulge ? d.curve : c.curve;
+    return use_ == EdgeUse::Halved && comes_close(c, d) ? c.curve : CurveId();
+  }
+
+  bool is_arc(CurveId c) const { return c.valid() && domain_.curves[c].piece.is_arc(); }
+
+ private:
+  bool cuts_off_a_node(const Chord& c, const Chord& d) const {
+    if (!is_arc(c.curve)) return false;
+    const CurvePiece& arc = domain_.curves[c.curve].piece;
+    return is_in_bulge(c, arc, d.a) || is_in_bulge(c, arc, d.b);
+  }
+
+  /// Arcs that leave a vertex are always close there, however short their chords.
+  bool comes_close(const Chord& c, const Chord& d) const {
+    if (is_arc(d.curve) && share_vertex(domain_.curves[c.curve], domain_.curves[d.curve])) return false;
+    const CurvePiece& arc = domain_.curves[c.curve].piece;
+    const auto is_close = [&](Point p) { return p != c.a && p != c.b && is_close_outside(c, arc, p); };
+    return is_close(d.a) || is_close(d.b);
+  }
+
+  const Domain& domain_;
+  EdgeUse use_;
+};
+
 }  // namespace
 
-std::vector<CurveId> too_coarse_arcs(const Domain& domain, const Polylines& lines) {
+std::vector<CurveId> too_coarse_arcs(const Domain& domain, const Polylines& lines, EdgeUse use) {
   std::vector<CurveId> found;
-  const auto is_arc = [&](CurveId c) { return c.valid() && domain.curves[c].piece.is_arc(); };
   if (std::none_of(domain.curves.begin(), domain.curves.end(), [](const auto& c) { return c.piece.is_arc(); }))
     return found;
+  const ChordJudge judge(domain, use);
   const std::vector<Chord> chords = chords_of(domain, lines);
   std::vector<Box> boxes;
   boxes.reserve(chords.size());
   for (const Chord& c : chords) boxes.push_back(box_of(c));
   const BoxTree tree(boxes);
   for (std::size_t i = 0; i < chords.size(); ++i) {
-    const Chord& c = chords[i];
-    if (!is_arc(c.curve)) continue;
-    const CurvePiece& arc = domain.curves[c.curve].piece;
-    tree.query(inflated(boxes[i], std::max(c.bulge, 0.0)), [&](std::uint32_t other) {
-      const Chord& d = chords[other];
+    if (!judge.is_arc(chords[i].curve)) continue;
+    tree.query(inflated(boxes[i], judge.reach(chords[i])), [&](std::uint32_t other) {
       if (other == i) return;
-      if (is_in_bulge(c, arc, d.a) || is_in_bulge(c, arc, d.b)) found.push_back(c.curve);
-      if (!conflict(c, d)) return;
-      found.push_back(is_arc(d.curve) && d.bulge > c.bulge ? d.curve : c.curve);
+      if (const CurveId c = judge.guilty(chords[i], chords[other]); c.valid()) found.push_back(c);
     });
   }
   std::sort(found.begin(), found.end());

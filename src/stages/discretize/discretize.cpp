@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "stages/discretize/chords.hpp"
 #include "stages/discretize/intervals.hpp"
 #include "stages/discretize/metric_length.hpp"
 
@@ -29,10 +28,10 @@ class Discretizer {
   }
 
   /// Chords leave their arcs, and so may cross what the arcs do not. An even number of edges more keeps cells even.
-  void refine_arcs() {
+  void refine_arcs(EdgeUse use) {
     constexpr int kMaxRounds = 16;
     for (int round = 0; round < kMaxRounds; ++round) {
-      const std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_);
+      const std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, use);
       if (coarse.empty()) return;
       for (CurveId c : coarse) {
         const auto count = static_cast<std::uint32_t>(places_[c].size() + 1);
@@ -75,12 +74,12 @@ class Discretizer {
 
 }  // namespace
 
-WorkMesh discretize(const Domain& domain, const SizeField& size, Context& context) {
+WorkMesh discretize(const Domain& domain, const SizeField& size, EdgeUse use, Context& context) {
   context.progress("discretize", 0);
   Discretizer discretizer(domain, size);
   discretizer.choose_places();
   context.progress("discretize", 0.5);
-  discretizer.refine_arcs();
+  discretizer.refine_arcs(use);
   WorkMesh mesh = discretizer.mesh();
   context.progress("discretize", 1);
   return mesh;

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-WorkMesh nodes_of(const Domain& domain, const Options& options = {}) {
+WorkMesh nodes_of(const Domain& domain, const Options& options = {}, EdgeUse use = EdgeUse::Whole) {
   Context context;
-  return discretize(domain, make_size_field(domain, options, context), context);
+  return discretize(domain, make_size_field(domain, options, context), use, context);
 }
 
 std::vector<unsigned> counts(const Domain& domain, const WorkMesh& mesh) {
@@ -294,6 +294,41 @@ TEST(Discretize, ChordsNearOtherCurvesAreRefinedUntilTheyDoNotCross) {
     expect_sound(rings, ring_mesh);
     expect_no_crossing(ring_mesh);
   }
+}
+
+TEST(Discretize, ChordsOfArcsThatTouchFromInsideAreRefinedUntilTheyDoNotCross) {
+  // Circles of radii 4 and 3.6 that touch in (-4, 0); sizes that have nothing to do with each other.
+  const Domain domain = shapes::Builder({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}, {-4, 0}, {0, 4}, {-0.4, 3.6}},
+                                        {{0, 1},
+                                         {1, 2},
+                                         {2, 3},
+                                         {3, 0},
+                                         {4, 5, Point{-4 * std::sqrt(0.5), 4 * std::sqrt(0.5)}},
+                                         {4, 6, Point{-0.4 - 3.6 * std::sqrt(0.5), 3.6 * std::sqrt(0.5)}}},
+                                        2)
+                            .build();
+  const WorkMesh mesh = nodes_of(domain);
+  expect_sound(domain, mesh);
+  expect_no_crossing(mesh);
+  for (const unsigned n : counts(domain, mesh)) EXPECT_LE(n, 64u);
+}
+
+TEST(Discretize, ArcsWhoseEdgesAreHalvedKeepClearOfNodesNearThem) {
+  const double r = 10, gap = 0.01;
+  const Domain domain =
+      shapes::Builder({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}, {-r, 0}, {r, 0}, {0.3, r + gap}, {0, 15}},
+                      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5, Point{0, r}}, {6, 7}}, 4)
+          .build();
+  const auto bulge = [&](EdgeUse use) {  // of the chord below the node
+    const WorkMesh mesh = nodes_of(domain, {}, use);
+    expect_sound(domain, mesh);
+    for (const Segment& s : mesh.segments)
+      if (domain.curves[s.curve].piece.is_arc() && (mesh.point(s.a).x < 0.3) != (mesh.point(s.b).x < 0.3))
+        return r - norm(midpoint(mesh.point(s.a), mesh.point(s.b)));
+    return kNone;
+  };
+  EXPECT_GT(bulge(EdgeUse::Whole), gap);
+  EXPECT_LE(bulge(EdgeUse::Halved), gap / 2);
 }
 
 TEST(Discretize, LonePointsAreFixedNodes) {

@@ -79,7 +79,7 @@ TEST(Halve, MiddlesOfArcsLieOnThem) {
   Context context;
   const Domain domain = arrange(model, {}, context);
   const SizeField size = make_size_field(domain, {}, context).doubled();
-  WorkMesh mesh = discretize(domain, size, context);
+  WorkMesh mesh = discretize(domain, size, EdgeUse::Halved, context);
   triangulate(mesh, domain, context);
   insert_field_points(mesh, size, Triangles::Front, {}, context);
   mesh = halved(std::move(mesh), domain);

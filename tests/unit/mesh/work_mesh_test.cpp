@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "quadline/errors.hpp"
+
 namespace quadline {
 namespace {
 
@@ -217,6 +219,25 @@ TEST(WorkMeshReplaceCavity, ReusesASlotOfAConstraintWithoutItsCurve) {
   mesh.replace_cavity(cavity, std::vector<Polygon>{{n(4), n(5), n(6), n(8)}, {n(8), n(6), n(10), n(9)}}, made);
   EXPECT_EQ(mesh.topo().defect(), nullptr);
   EXPECT_FALSE(mesh.is_constraint(edge(mesh, 6, 8)));
+}
+
+TEST(WorkMeshReplaceCavity, KeepsTheConstraintThatItGoesRound) {
+  WorkMesh mesh = grid(3, 3);
+  mesh.set_curve(edge(mesh, 5, 6), CurveId(3));  // with both sides in the cavity
+  std::vector<FaceId> made;
+  const std::vector<FaceId> cavity{face(mesh, 5, 6), face(mesh, 6, 5)};
+  mesh.replace_cavity(cavity, std::vector<Polygon>{{n(1), n(2), n(6), n(5)}, {n(5), n(6), n(10), n(9)}}, made);
+  EXPECT_EQ(mesh.topo().defect(), nullptr);
+  EXPECT_EQ(mesh.curve(edge(mesh, 5, 6)), CurveId(3));
+}
+
+TEST(WorkMeshReplaceCavity, LosesNoConstraint) {
+  WorkMesh mesh = grid(3, 3);
+  mesh.set_curve(edge(mesh, 5, 6), CurveId(3));
+  std::vector<FaceId> made;
+  const std::vector<FaceId> cavity{face(mesh, 5, 6), face(mesh, 6, 5)};
+  const std::vector<Polygon> across{{n(1), n(2), n(6), n(10)}, {n(1), n(10), n(9), n(5)}};
+  EXPECT_THROW(mesh.replace_cavity(cavity, across, made), InternalError);
 }
 
 TEST(WorkMeshDropOutside, TakesFacesOfNoCellAndTheirNodes) {
