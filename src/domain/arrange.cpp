@@ -14,6 +14,7 @@ Domain arrange(const Model& model, const Options& options, Context& context) {
   arrangement::classify(work, parts);
   context.progress("arrange", 0.9);
   Domain domain = arrangement::to_domain(work, parts);
+  arrangement::report_near_misses(domain, options, domain.findings);
   context.progress("arrange", 1.0);
   return domain;
 }

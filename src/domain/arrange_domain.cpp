@@ -30,7 +30,6 @@ class Builder {
     add_points();
     name_regions();
     add_box();
-    report_near_misses(out_, work_.findings);
     out_.findings = std::move(work_.findings);
     return std::move(out_);
   }

@@ -4,19 +4,14 @@
 #include <cmath>
 
 #include "domain/arrange_work.hpp"
+#include "domain/size_locate.hpp"
 
 namespace quadline::arrangement {
 
 namespace {
 
-constexpr double kNear = 0.1;       // in sizes
 constexpr double kFirstReach = 16;  // in tolerances
 constexpr double kWiden = 4;
-
-std::string digits(double length) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, length, std::chars_format::general, 2).ptr};
-}
 
 /// A vertex that ends one curve, or none, and so may have been meant to lie on another.
 struct LooseEnd {
@@ -44,15 +39,6 @@ std::vector<LooseEnd> loose_ends(const Domain& domain) {
   return ends;
 }
 
-/// A name for every curve: of the first path along it.
-IdVector<CurveId, std::string> names_of_curves(const Domain& domain) {
-  IdVector<CurveId, std::string> names(domain.curves.count());
-  for (const Domain::Path& path : domain.paths)
-    for (const DirectedCurve& use : path.curves)
-      if (names[use.curve].empty()) names[use.curve] = "'" + path.name + "'";
-  return names;
-}
-
 struct Neighbour {
   CurveId curve;
   double gap;
@@ -76,27 +62,41 @@ Neighbour nearest_curve(const Domain& domain, const BoxTree& tree, const LooseEn
 
 }  // namespace
 
+std::string digits(double length) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, length, std::chars_format::general, 2).ptr};
+}
+
+IdVector<CurveId, std::uint32_t> first_paths(const Domain& domain) {
+  IdVector<CurveId, std::uint32_t> first(domain.curves.count(), UINT32_MAX);
+  for (std::size_t i = 0; i < domain.paths.size(); ++i)
+    for (const DirectedCurve& use : domain.paths[i].curves)
+      first[use.curve] = std::min(first[use.curve], static_cast<std::uint32_t>(i));
+  return first;
+}
+
 void Work::report_joined(const char* what, double gap, Point at) {
   if (gap > rounding) findings.push_back({std::string(what) + ", " + digits(gap) + " apart", "", at});
 }
 
-void report_near_misses(const Domain& domain, std::vector<Finding>& findings) {
+void report_near_misses(const Domain& domain, const Options& options, std::vector<Finding>& findings) {
   const std::vector<LooseEnd> ends = loose_ends(domain);
-  if (ends.empty()) return;
-  std::vector<Box> boxes;
-  for (const Domain::Curve& curve : domain.curves) boxes.push_back(box(curve.piece));
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes_of_curves(domain));
   const double diagonal = distance(domain.box.lo, domain.box.hi);
-  const IdVector<CurveId, std::string> names = names_of_curves(domain);
+  const IdVector<CurveId, std::uint32_t> path_of = first_paths(domain);
+  const auto name = [&](CurveId c) { return "'" + domain.paths[path_of[c]].name + "'"; };
+  std::set<PathPair> told;
   for (const LooseEnd& end : ends) {
     const Point at = domain.vertices[end.vertex].at;
     const auto [other, gap] = nearest_curve(domain, tree, end, kNear * std::min(end.size, diagonal));
-    if (other.valid())
-      findings.push_back({(end.curve.valid() ? names[end.curve] + " ends " : "a point lies ") + digits(gap) + " from " +
-                              names[other] +
-                              ": elements there become as small; join them (--tolerance), or move them apart",
-                          "", at});
+    if (!other.valid()) continue;
+    findings.push_back({(end.curve.valid() ? name(end.curve) + " ends " : "a point lies ") + digits(gap) + " from " +
+                            name(other) +
+                            ": elements there become as small; join them (--tolerance), or move them apart",
+                        "", at});
+    if (end.curve.valid()) told.insert(std::minmax({path_of[end.curve], path_of[other]}));
   }
+  report_curves_beside(domain, options, told, findings);
 }
 
 }  // namespace quadline::arrangement

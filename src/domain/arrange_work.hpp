@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/check.hpp"
@@ -75,8 +76,25 @@ struct Work {
 };
 
 /// Warnings of line ends and points that lie off a curve by more than the tolerance, but by so little beside the size
-/// that elements have to become as small. O(n log n).
-void report_near_misses(const Domain& domain, std::vector<Finding>& findings);
+/// that elements have to become as small; and of curves that come as near to each other and do not meet there.
+/// O(n log n) where boxes of curves overlap little.
+void report_near_misses(const Domain& domain, const Options& options, std::vector<Finding>& findings);
+
+constexpr double kNear = 0.1;  ///< what is nearer and not joined is told; in sizes
+
+/// Two of the domain's paths, the lesser index first.
+using PathPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Of every curve the first path along it.
+IdVector<CurveId, std::uint32_t> first_paths(const Domain& domain);
+
+/// The second part of `report_near_misses`: one finding for every two paths with such curves, at their least gap.
+/// @param told  paths that need none.
+void report_curves_beside(const Domain& domain, const Options& options, const std::set<PathPair>& told,
+                          std::vector<Finding>& findings);
+
+/// A length as findings tell it.
+std::string digits(double length);
 
 /// Checks the model and lays out its paths, as they are. @throws InputError
 Work read_input(const Model& model, const Options& options);

@@ -4,6 +4,7 @@
 
 #include "domain/size_locate.hpp"
 #include "domain/size_sources.hpp"
+#include "domain/walk_places.hpp"
 #include "search/box_tree.hpp"
 
 // Gaps by looking along the normals of the curves, and from the vertices to the nearest curve. A wedge between two
@@ -16,13 +17,16 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kGapStretch = 2;       // size in a gap, over its width: one row of quads twice as long as wide
 constexpr double kLeastGapShare = 0.4;  // least size that a gap asks for, over the base size
-constexpr double kWedgeReach = 4;       // features so near along the boundary (in base sizes) meet: no gap
 
 class GapFinder {
  public:
   GapFinder(const Domain& domain, const IdVector<CurveId, double>& sizes, std::vector<SizeSource>& sources)
-      : domain_(domain), sizes_(sizes), sources_(sources), tree_(boxes_of_curves(domain)), points_(boxes_of_points()) {
-    measure_walks();
+      : domain_(domain),
+        sizes_(sizes),
+        sources_(sources),
+        walks_(domain),
+        tree_(boxes_of_curves(domain)),
+        points_(boxes_of_points()) {
     collect_stars();
   }
 
@@ -34,11 +38,6 @@ class GapFinder {
   }
 
  private:
-  /// A curve seen from one side, as a part of the walk round the cell on that side.
-  struct Side {
-    std::uint32_t walk = UINT32_MAX;
-    double start = 0;  ///< length of the walk before it
-  };
   struct LonePoint {
     VertexId vertex;
     double base;
@@ -58,19 +57,6 @@ class GapFinder {
     return boxes;
   }
 
-  void measure_walks() {
-    sides_.resize(2 * domain_.curves.count());
-    for (const Domain::Cell& cell : domain_.cells)
-      for (const auto& walk : cell.walks) {
-        double sum = 0;
-        for (const DirectedCurve& d : walk) {
-          sides_[2 * d.curve.value + d.reversed] = {static_cast<std::uint32_t>(walk_length_.size()), sum};
-          sum += length(domain_.curves[d.curve].piece);
-        }
-        walk_length_.push_back(sum);
-      }
-  }
-
   void collect_stars() {
     star_start_.assign(domain_.vertices.count() + 1, 0);
     for (const Domain::Curve& c : domain_.curves)
@@ -83,27 +69,6 @@ class GapFinder {
       star_[next[c.tail.value]++] = {CurveId(i), false};
       star_[next[c.head.value]++] = {CurveId(i), true};
     }
-  }
-
-  CellId cell_on(CurveId c, bool is_left) const { return is_left ? domain_.curves[c].left : domain_.curves[c].right; }
-
-  bool share_vertex(CurveId a, CurveId b) const {
-    const Domain::Curve &p = domain_.curves[a], &q = domain_.curves[b];
-    return p.tail == q.tail || p.tail == q.head || p.head == q.tail || p.head == q.head;
-  }
-
-  /// Where arc length s of a curve lies in the walk on that side of it.
-  double place(CurveId c, bool is_left, double s) const {
-    const Side& side = sides_[2 * c.value + !is_left];
-    return side.start + (is_left ? s : length(domain_.curves[c].piece) - s);
-  }
-
-  /// The way along the boundary is so short that the two places belong to a corner.
-  bool is_wedge(CurveId a, bool a_left, double sa, CurveId b, bool b_left, double sb, double base) const {
-    const std::uint32_t walk = sides_[2 * a.value + !a_left].walk;
-    if (walk == UINT32_MAX || walk != sides_[2 * b.value + !b_left].walk) return false;
-    const double way = std::abs(place(a, a_left, sa) - place(b, b_left, sb));
-    return std::min(way, walk_length_[walk] - way) < kWedgeReach * base;
   }
 
   /// The curve seen first from p in direction d.
@@ -123,7 +88,7 @@ class GapFinder {
   double gap_size(double gap, double base) const { return std::max(kLeastGapShare * base, kGapStretch * gap); }
 
   void look_along_normals(CurveId id, bool is_left) {
-    const CellId cell = cell_on(id, is_left);
+    const CellId cell = cell_on(domain_.curves[id], is_left);
     if (!cell.valid()) return;
     const CurvePiece& piece = domain_.curves[id].piece;
     const double base = domain_.cells[cell].size, whole = length(piece),
@@ -133,10 +98,10 @@ class GapFinder {
       const double s = whole * ((i + 0.5) / n);
       const Point p = point_at(piece, s), normal = left_normal(tangent_at(piece, s));
       const Hit hit = first_hit(p, is_left ? normal : -1.0 * normal, reach, id);
-      if (!hit.curve.valid() || share_vertex(id, hit.curve)) continue;
+      if (!hit.curve.valid() || share_vertex(domain_.curves[id], domain_.curves[hit.curve])) continue;
       const CurvePiece& other = domain_.curves[hit.curve].piece;
       const double at = project(other, p + hit.distance * (is_left ? normal : -1.0 * normal));
-      if (is_wedge(id, is_left, s, hit.curve, is_left_of(other, at, p), at, base)) continue;
+      if (walks_.is_wedge(id, is_left, s, hit.curve, is_left_of(other, at, p), at, base)) continue;
       const double size = gap_size(hit.distance, base);
       if (size >= base) continue;
       append_sources(piece, whole * (i / n), whole * ((i + 1) / n), size, false, sources_);
@@ -194,13 +159,13 @@ class GapFinder {
     const double at = project(other, p);
     const Point q = point_at(other, at);
     const DirectedCurve out = sector(v, q - p);
-    const CellId cell = cell_on(out.curve, !out.reversed);
+    const CellId cell = cell_on(domain_.curves[out.curve], !out.reversed);
     if (!cell.valid()) return;
     const double base = domain_.cells[cell].size;
     for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
-      if (share_vertex(star_[k].curve, hit.curve)) return;
+      if (share_vertex(domain_.curves[star_[k].curve], domain_.curves[hit.curve])) return;
     const double start = out.reversed ? length(domain_.curves[out.curve].piece) : 0;
-    if (is_wedge(out.curve, !out.reversed, start, hit.curve, is_left_of(other, at, p), at, base)) return;
+    if (walks_.is_wedge(out.curve, !out.reversed, start, hit.curve, is_left_of(other, at, p), at, base)) return;
     ask_for_gap(p, q, hit.distance, base);
   }
 
@@ -231,11 +196,10 @@ class GapFinder {
   const Domain& domain_;
   const IdVector<CurveId, double>& sizes_;
   std::vector<SizeSource>& sources_;
+  WalkPlaces walks_;
   BoxTree tree_;  ///< of the curves
   std::vector<LonePoint> lone_;
-  BoxTree points_;           ///< of `lone_`
-  std::vector<Side> sides_;  ///< 2 * curve + reversed
-  std::vector<double> walk_length_;
+  BoxTree points_;  ///< of `lone_`
   std::vector<std::uint32_t> star_start_;
   std::vector<DirectedCurve> star_;  ///< curves leaving each vertex
 };

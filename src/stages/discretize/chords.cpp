@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "domain/walk_places.hpp"
 #include "geom/predicates.hpp"
 #include "search/box_tree.hpp"
 
@@ -52,10 +53,6 @@ bool is_close_outside(const Chord& c, const CurvePiece& arc, Point p) {
   if (gap < 0 || gap >= kClearance * c.bulge) return false;
   const Point foot = arc.center + (arc.radius / (arc.radius + gap)) * (p - arc.center);
   return dot(foot - c.a, c.b - c.a) > 0 && dot(foot - c.b, c.a - c.b) > 0;
-}
-
-bool share_vertex(const Domain::Curve& p, const Domain::Curve& q) {
-  return p.tail == q.tail || p.tail == q.head || p.head == q.tail || p.head == q.head;
 }
 
 std::vector<Chord> chords_of(const Domain& domain, const Polylines& lines) {

@@ -70,6 +70,57 @@ TEST(NearMiss, PointsNearACurveAreTold) {
   ASSERT_NE(finding(domain, "a point lies 0.01 from 'stiffener'"), nullptr);
 }
 
+std::size_t n_beside(const Domain& domain) {
+  return static_cast<std::size_t>(std::count_if(domain.findings.begin(), domain.findings.end(), [](const Finding& f) {
+    return f.text.find("comes within") != std::string::npos;
+  }));
+}
+
+TEST(Beside, LinesFromEdgeToEdgeAreToldOnce) {
+  Model model = plate_with({0, 5}, {8, 5});
+  for (const double x : {1.0, 3.0, 5.0})  // cut the lines into pieces
+    model.lines.push_back({"", {{{{x, 4.5}, {}}, {{x, 5.5}, {}}}, {}, ""}, {}});
+  model.lines.push_back({"flange", {{{{0, 5.001}, {}}, {{8, 5.001}, {}}}, {}, "/lines/4/path"}, {}});
+  const Domain domain = arranged(model);
+  const Finding* told = finding(domain, "'stiffener' comes within 0.001 of 'flange'");
+  ASSERT_NE(told, nullptr);
+  EXPECT_NEAR(told->at.y, 5.0005, 1e-9);
+  EXPECT_EQ(n_beside(domain), 1u);
+}
+
+TEST(Beside, AHoleNearALineOrAHoleIsToldAtTheLeastGap) {
+  Model model = plate_with({0, 1.98}, {8, 1.98});
+  model.holes.push_back({{}, Circle{{3.99, 3}, 1}, ""});
+  const Domain domain = arranged(model);
+  const Finding* line = finding(domain, "'hole-1' comes within 0.02 of 'stiffener'");
+  ASSERT_NE(line, nullptr);
+  EXPECT_LT(distance(line->at, {6, 1.99}), 1e-9);
+  const Finding* hole = finding(domain, "'hole-1' comes within 0.01 of 'hole-2'");
+  ASSERT_NE(hole, nullptr);
+  EXPECT_LT(distance(hole->at, {4.995, 3}), 1e-9);
+  EXPECT_EQ(n_beside(domain), 3u);  // and 'hole-2' with the line
+}
+
+TEST(Beside, ALoopNearItselfIsTold) {
+  Model model;
+  model.size = kSize;
+  model.outer.push_back({{{{0, 0}, {}}, {{8, 0}, {}}, {{8, 0.04}, {}}, {{0, 0.04}, {}}}, {}, "strip"});
+  EXPECT_NE(finding(arranged(model), "comes within 0.04 of itself"), nullptr);
+}
+
+TEST(Beside, WedgesAndWideGapsAreNotTold) {
+  EXPECT_EQ(n_beside(arranged(plate_with({0, 0}, {8, 0.1}))), 0u);        // leaves a corner at 0.7 degrees
+  EXPECT_EQ(n_beside(arranged(plate_with({0, 0.051}, {8, 0.051}))), 0u);  // a tenth of the size, and more
+  EXPECT_EQ(n_beside(arranged(plate_with({0, 0.049}, {8, 0.049}))), 1u);
+}
+
+TEST(Beside, AFineSizeTakesTheGap) {
+  Model model = plate_with({0, 0.04}, {8, 0.04});
+  EXPECT_EQ(n_beside(arranged(model)), 1u);
+  model.lines[0].size = 0.1;
+  EXPECT_EQ(n_beside(arranged(model)), 0u);
+}
+
 TEST(NearMiss, TheToleranceAskedForJoins) {
   const Model model = plate_with({2, 2}, {3, 6 - 0.04});
   Options options;
