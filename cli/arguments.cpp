@@ -105,8 +105,10 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_choice<LineFronts>(*mesh, "--lines", "where the front on a line constraint starts; default two-sided",
                          arguments.options.lines,
                          {{"one-sided", LineFronts::OneSided}, {"two-sided", LineFronts::TwoSided}});
-  add_choice<Triangles>(*mesh, "--triangles", "who makes the triangles that are merged; default front",
-                        arguments.options.triangles, {{"delaunay", Triangles::Delaunay}, {"front", Triangles::Front}});
+  add_choice<Triangles>(*mesh, "--triangles",
+                        "who makes the triangles that are merged; default both: the better in each cell",
+                        arguments.options.triangles,
+                        {{"delaunay", Triangles::Delaunay}, {"front", Triangles::Front}, {"both", Triangles::Both}});
   add_choice<Method>(*mesh, "--method", "how the triangles become quads; default qmorph", arguments.options.method,
                      {{"qmorph", Method::QMorph}, {"merge", Method::Merge}, {"split", Method::Split}});
   const auto set_threads = [&arguments](double value) {

@@ -15,6 +15,7 @@
 #include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
+#include "quadline/generate.hpp"
 #include "stages/verify/fit_to_model.hpp"
 #include "stages/verify/verify.hpp"
 
@@ -49,23 +50,26 @@ Verdict verdict_on(const CheckArguments& arguments) {
   context.is_cancelled = is_interrupted;
   std::optional<Criteria> criteria;
   if (!arguments.criteria.empty()) criteria = read_criteria(arguments.criteria);
-  std::optional<double> size;
+  Model model;
   std::optional<Domain> domain;
+  bool is_sized = false;
+  Options options = arguments.options;
   if (!arguments.model.empty()) {
-    Model model = read_model(arguments.model);
-    Options options = arguments.options;
-    if (model.size > 0) size = model.size;
-    if (!size) options.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
+    model = read_model(arguments.model);
+    is_sized = options.size || model.size > 0;
+    if (!is_sized) options.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
     domain = arrange(model, options, context);
   }
   verdict.mesh = read_mesh(arguments.mesh);
-  verdict.quality = measure(verdict.mesh);
+  std::vector<double> sizes;
+  if (is_sized) sizes = edge_sizes(verdict.mesh, model, options, context);
+  verdict.quality = measure(verdict.mesh, sizes);
   if (domain) verdict.corners = corners_of(*domain);
   verdict.worst = worst_quads(verdict.mesh, verdict.corners);
-  verdict.lines = measure_lines(verdict.mesh);
+  verdict.lines = measure_lines(verdict.mesh, sizes);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
-  if (criteria) verdict.criteria = evaluate(verdict.mesh, *criteria, size);
+  if (criteria) verdict.criteria = evaluate(verdict.mesh, *criteria, sizes);
   if (domain) verdict.broken = verify(fit_to_model(verdict.mesh, *domain), *domain, context);
   return verdict;
 }

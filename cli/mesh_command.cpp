@@ -50,11 +50,15 @@ class StageWatch {
     is_open_ = false;
   }
 
-  /// The mesher's own times, which leave out what the snapshots take.
+  /// The mesher's own times, which leave out what the snapshots take. Stages of further attempts follow in order.
   void correct(const std::vector<StageTime>& times) {
-    for (const StageTime& time : times)
-      for (StageUse& use : stages_)
-        if (use.stage == time.stage) use.elapsed_s = time.elapsed_s;
+    auto use = stages_.begin();
+    for (const StageTime& time : times) {
+      const auto found = std::find_if(use, stages_.end(), [&](const StageUse& u) { return u.stage == time.stage; });
+      if (found == stages_.end()) continue;
+      found->elapsed_s = time.elapsed_s;
+      use = found + 1;
+    }
   }
 
   const std::vector<StageUse>& stages() const { return stages_; }

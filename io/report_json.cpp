@@ -21,13 +21,17 @@ const char* name_of(Method method) {
   return method == Method::Merge ? "merge" : method == Method::Split ? "split" : "qmorph";
 }
 
+const char* name_of(Triangles triangles) {
+  return triangles == Triangles::Delaunay ? "delaunay" : triangles == Triangles::Front ? "front" : "both";
+}
+
 Json options_of(const Run& run) {
   const Options& options = run.options;
   Json out{{"size", options.size.value_or(run.model.size)},
            {"growth", options.growth},
            {"edges_per_circle", options.edges_per_circle},
            {"lines", options.lines == LineFronts::OneSided ? "one-sided" : "two-sided"},
-           {"triangles", options.triangles == Triangles::Delaunay ? "delaunay" : "front"},
+           {"triangles", name_of(options.triangles)},
            {"method", name_of(options.method)},
            {"threads", run.threads}};
   if (options.tolerance) out["tolerance"] = *options.tolerance;

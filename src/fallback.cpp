@@ -74,6 +74,13 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   return advanced;
 }
 
+CellSet FallbackPlan::changed() const {
+  CellSet cells;
+  for (std::size_t i = 0; i < rung_.count(); ++i)
+    if (rung_[CellId(i)] > 0) cells.insert(CellId(i));
+  return cells;
+}
+
 CellSet FallbackPlan::other_triangles() const {
   CellSet cells;
   for (std::size_t i = 0; i < rung_.count(); ++i)

@@ -53,6 +53,8 @@ class FallbackPlan {
   bool advance(const std::vector<Trouble>& troubles);
   bool halves() const { return !halved().empty(); }
 
+  /// Cells that are not meshed as asked.
+  CellSet changed() const;
   CellSet other_triangles() const;
   CellSet halved() const;
   /// The domain with the sizes of the plan.

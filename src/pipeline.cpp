@@ -5,7 +5,9 @@
 #include <string_view>
 #include <utility>
 
+#include "better_cells.hpp"
 #include "domain/size_field.hpp"
+#include "edge_sizes.hpp"
 #include "flatten.hpp"
 #include "slivers.hpp"
 #include "stages/cleanup/cleanup.hpp"
@@ -22,15 +24,15 @@ namespace quadline {
 
 namespace {
 
-// Target sizes at the middles of the edges, for the measure of edge length over size.
-std::vector<double> sizes_at_edges(const Mesh& mesh, const SizeField& size) {
-  std::vector<double> sizes;
-  for (const auto& [a, b] : edges_of(mesh)) sizes.push_back(size.at(midpoint(mesh.points[a], mesh.points[b])));
-  return sizes;
-}
-
 // Sizes from a spoiled place to what is frozen the next time; the first time there is none, the last time it is all.
 constexpr std::array<double, 4> kReaches{0, 4, 16, 1e9};
+
+// Triangles that are tried after the first, at a part of the sizes.
+struct OtherTriangles {
+  Triangles triangles;
+  double spacing;
+};
+constexpr std::array<OtherTriangles, 2> kOthers{{{Triangles::Delaunay, 1}, {Triangles::Front, 0.93}}};
 
 // One way through the stages, from the size field to the verifier.
 class Pipeline {
@@ -45,31 +47,41 @@ class Pipeline {
 
   Attempt run() {
     const SizeField size = clock_.run("sizing", [&] { return make_size_field(domain_, options_, context_); });
-    WorkMesh mesh = quads(size);
+    const SizeField of_triangles = halves() ? size.doubled() : size;
+    WorkMesh mesh = triangles(of_triangles);
+    const WorkMesh start = tries_both() ? mesh : WorkMesh();
+    merge(mesh, of_triangles);
     snapshot("before-smoothing", mesh);
     report_.before_smoothing = measure(flatten(mesh, domain_));
     if (plan_.halves()) {
       improve_with_care(mesh, size);
     } else {
-      improve(mesh, size);
+      clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
+      if (tries_both()) clock_.run("other triangles", [&] { try_other_triangles(start, mesh, size); });
+      finish(mesh, size);
     }
     return judged(mesh, size);
   }
 
  private:
+  bool tries_both() const { return options_.triangles == Triangles::Both && !halves(); }
   bool halves() const { return options_.method != Method::QMorph || plan_.halves(); }
 
   void snapshot(std::string_view name, const WorkMesh& mesh) {
     if (context_.on_snapshot) context_.on_snapshot(name, flatten(mesh, domain_));
   }
 
-  // From the nodes on the curves to quads of all kinds.
-  WorkMesh quads(const SizeField& final_size) {
-    const SizeField size = halves() ? final_size.doubled() : final_size;
+  // Between the nodes on the curves.
+  WorkMesh triangles(const SizeField& size) {
     const EdgeUse use = halves() ? EdgeUse::Halved : EdgeUse::Whole;
     WorkMesh mesh = clock_.run("discretize", [&] { return discretize(domain_, size, use, context_); });
     clock_.run("triangulate", [&] { triangulate(mesh, domain_, context_); });
     snapshot("triangulation", mesh);
+    return mesh;
+  }
+
+  // From there to quads of all kinds.
+  void merge(WorkMesh& mesh, const SizeField& size) {
     clock_.run("field points",
                [&] { insert_field_points(mesh, size, options_.triangles, plan_.other_triangles(), context_); });
     snapshot("field-points", mesh);
@@ -83,11 +95,40 @@ class Pipeline {
       snapshot("before-halving", mesh);
       clock_.run("halve", [&] { halve(mesh, domain_, context_); });
     }
-    return mesh;
   }
 
-  void improve(WorkMesh& mesh, const SizeField& size) {
-    clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
+  // No triangles win everywhere. Where the first leave something to wish for, others may do better.
+  void try_other_triangles(const WorkMesh& start, WorkMesh& mesh, const SizeField& size) {
+    for (std::size_t i = 0; i < kOthers.size(); ++i) {
+      const CellSet cells = improvable_cells(mesh, plan_.changed());
+      if (cells.empty()) return;
+      WorkMesh other = start;
+      keep_cells(other, cells);
+      Context context = part_of_other_triangles(i);
+      try {
+        insert_field_points(other, size.scaled(kOthers[i].spacing), kOthers[i].triangles, {}, context);
+        merge_to_quads(other, size, {.lines = options_.lines}, {}, context);
+        clean_up(other, size, context);
+        if (const CellSet better = better_cells(mesh, other); !better.empty()) mesh = joined(mesh, other, better);
+      } catch (const InternalError&) {
+        continue;  // what is there stays
+      }
+    }
+  }
+
+  // Tells the progress of all its stages as that of one.
+  Context part_of_other_triangles(std::size_t i) const {
+    Context context;
+    context.is_cancelled = context_.is_cancelled;
+    context.on_progress = [this, i](std::string_view stage, double done) {
+      const double before = stage == "clean-up" ? 0.5 : stage == "qmorph" ? 0.2 : 0, after = before == 0.5 ? 0.5 : 0.25;
+      if (context_.on_progress)
+        context_.on_progress("other triangles", (static_cast<double>(i) + before + after * done) / kOthers.size());
+    };
+    return context;
+  }
+
+  void finish(WorkMesh& mesh, const SizeField& size) {
     snapshot("clean-up", mesh);
     clock_.run("smooth", [&] { smooth(mesh, domain_, size, {.criteria = options_.criteria}, context_); });
   }
@@ -102,7 +143,8 @@ class Pipeline {
       mesh = raw;
       freeze_slivers(mesh);
       freeze_near(mesh, spoiled, reach, size);
-      improve(mesh, size);
+      clock_.run("clean-up", [&] { clean_up(mesh, size, context_); });
+      finish(mesh, size);
       mesh.thaw();
       const std::vector<FaceId> faces = unsound_faces(mesh);
       if (faces.size() <= n_given) return;
@@ -121,7 +163,7 @@ class Pipeline {
       if (attempt.troubles.empty()) attempt.troubles = troubles_at(domain_, result.failure->at, result.failure->reason);
       return attempt;
     }
-    result.edge_sizes = sizes_at_edges(result.mesh, size);
+    result.edge_sizes = edge_sizes(result.mesh, size);
     report_.quality = measure(result.mesh, result.edge_sizes);
     report_.lines = measure_lines(result.mesh, result.edge_sizes);
     report_.worst = worst_quads(result.mesh, report_.corners);

@@ -35,4 +35,11 @@ struct MeshResult {
 /// @throws Cancelled   the context asked for it.
 MeshResult generate(const Model& model, const Options& options, Context& context);
 
+/// The sizes that `generate` aims at, for a mesh of the model that anyone may have made.
+///
+/// @return  target size at the middle of each of edges_of(mesh), model units.
+/// @throws InputError, Cancelled  as `generate`.
+/// Cost O(n log n).
+std::vector<double> edge_sizes(const Mesh& mesh, const Model& model, const Options& options, Context& context);
+
 }  // namespace quadline

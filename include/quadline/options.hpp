@@ -16,6 +16,7 @@ enum class LineFronts {
 enum class Triangles {
   Delaunay,  ///< edges subdivided after the local size (Borouchaki and George 1997)
   Front,     ///< an advancing front of triangles
+  Both,      ///< Front; where nodes of too many and of too few quads are left in a cell, the better of the two
 };
 
 /// How the triangles become quads.
@@ -36,7 +37,7 @@ struct Options {
   std::optional<double> tolerance{};
   double growth = 1.3;  ///< largest ratio of the sizes of neighbouring edges, > 1
   LineFronts lines = LineFronts::TwoSided;
-  Triangles triangles = Triangles::Front;
+  Triangles triangles = Triangles::Both;
   Method method = Method::QMorph;
   std::optional<Criteria> criteria{};  ///< limits that smoothing works towards, where it can without harm
   /// Fall-backs that are expected to need more quads are left out, and what needs more all the same is no result.

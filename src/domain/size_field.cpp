@@ -16,10 +16,15 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SizeField SizeField::doubled() const {
+SizeField SizeField::scaled(double factor) const {
   SizeField field = *this;
   for (std::array<double, 4>& corners : field.corners_)
-    for (double& h : corners) h *= 2;
+    for (double& h : corners) h *= factor;
+  return field;
+}
+
+SizeField SizeField::doubled() const {
+  SizeField field = scaled(2);
   for (std::uint32_t& n : field.least_edges_) n = (n + 1) / 2;
   return field;
 }

@@ -41,6 +41,8 @@ class SizeField {
   /// The least number of edges that shows the bend of a curve of the domain: 1 where it is straight.
   std::uint32_t least_edges(CurveId c) const { return least_edges_[c]; }
 
+  /// The field of so many times the sizes; curves keep their least numbers of edges.
+  SizeField scaled(double factor) const;
   /// The field of twice the sizes; curves get half as many edges.
   SizeField doubled() const;
 

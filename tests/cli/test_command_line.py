@@ -106,7 +106,7 @@ class Usage(CommandLine):
                 ("--size", "1e999", "a length above 0"), ("--size", "1,5", "a length above 0"),
                 ("--growth", "1", "a number above 1"), ("--edges-per-circle", "3", "a number of 4 or more"),
                 ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
-                ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay' or 'front'"),
+                ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay', 'front' or 'both'"),
                 ("--method", "paving", "'qmorph', 'merge' or 'split'")]:
             with self.subTest(option=option, text=text):
                 self.assert_fails(2, "%s: expected %s, found '%s'" % (option, expected, text), *base, option, text)
@@ -216,6 +216,9 @@ class Mesh(CommandLine):
         self.assertEqual(len(report["worst"]), 5)
         self.assertEqual(report["worst"][0]["scaled_jacobian"], report["quality"]["after_smoothing"]["scaled_jacobian"]["min"])
         self.assertEqual(report["corners"]["forced"], [])  # a rectangle
+        checked = json.loads(self.run_it("check", self.path("a.vtu"), "--model", self.plate, "--json").stdout)
+        self.assertEqual(checked["quality"], report["quality"]["after_smoothing"])  # by the same sizes
+        self.assertNotIn("edge_to_size", json.loads(self.run_it("check", self.path("a.vtu"), "--json").stdout)["quality"])
         stages = [stage["stage"] for stage in report["stages"]]
         self.assertEqual([stages[0], stages[-1]], ["read", "write"])
         self.assertIn("qmorph", stages)

@@ -49,7 +49,7 @@ void relax(WorkMesh& mesh, const std::function<bool(CellId)>& is_marched) {
 
 void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, const CellSet& other,
                          Context& context) {
-  const bool front = triangles == Triangles::Front;
+  const bool front = triangles != Triangles::Delaunay;
   const auto is_marched = [&](CellId c) { return front != other.contains(c); };
   if (front || !other.empty()) march_from_constraints(mesh, size, is_marched, context);
   subdivide_edges(mesh, size, front ? kMarchShare : 0, context);

@@ -11,7 +11,7 @@ namespace quadline {
 /// Fills the cells with nodes at the distance of the local size; the triangulation stays constrained Delaunay.
 ///
 /// @param triangles  Delaunay: edges subdivided after the local size, filtered, inserted, until no edge is too long
-///                   [BorouchakiGeorge1997]; Front: an advancing front from the constraints inwards.
+///                   [BorouchakiGeorge1997]; Front, Both: an advancing front from the constraints inwards.
 /// @param other      cells that get the other kind.
 /// @post  no face outside the domain is left, no constraint was split.
 /// Cost O(n log n).
