@@ -13,8 +13,8 @@ CellSet improvable_cells(const WorkMesh& mesh, const CellSet& but);
 /// Makes all other cells outside; `WorkMesh::drop_outside` removes them.
 void keep_cells(WorkMesh& mesh, const CellSet& cells);
 
-/// The cells where `other` is better: fewer irregular nodes, or as many and less distorted quads. A quad that is not
-/// convex is worse than all that. @param other  may have some of the cells only.
+/// The cells where `other` is better: where the number of irregular nodes plus a tenth of the sum of 1 - beta is less.
+/// A quad that is not convex is worse than all that. @param other  may have some of the cells only.
 CellSet better_cells(const WorkMesh& mesh, const WorkMesh& other);
 
 /// The mesh with the faces of `other` in some cells.
