@@ -56,7 +56,7 @@ Verdict verdict_on(const CheckArguments& arguments) {
   Options options = arguments.options;
   if (!arguments.model.empty()) {
     model = read_model(arguments.model);
-    is_sized = options.size || model.size > 0;
+    is_sized = model.size > 0;
     if (!is_sized) options.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
     domain = arrange(model, options, context);
   }

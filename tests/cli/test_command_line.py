@@ -429,6 +429,18 @@ class Progress(CommandLine):
         self.assertEqual(self.run_it(*work).stderr, "")
 
 
+class LocalSizes(CommandLine):
+    def test_check_counts_as_mesh_does(self):
+        fine = dict(PLATE, lines=[dict(PLATE["lines"][0], size=0.1)])
+        model, out = self.put("fine.json", fine), self.path("a.msh")
+        limits = self.put("limits.json", {"min_edge_to_size": 0.5, "max_growth": 3})
+        meshed = json.loads(self.run_it("mesh", model, "-o", out, "--criteria", limits, "--json").stdout)["criteria"]
+        checked = json.loads(self.run_it("check", out, "--model", model, "--criteria", limits, "--json").stdout)["criteria"]
+        self.assertEqual(checked, meshed)
+        coarse = json.loads(self.run_it("check", out, "--model", self.plate, "--criteria", limits, "--json").stdout)["criteria"]
+        self.assertGreater(coarse["failing"], 10 * meshed["failing"])  # by the size of the plate, 1
+
+
 class Corners(CommandLine):
     def test_a_sharp_corner_is_told_with_what_it_allows(self):
         model = self.put("wedge.json", {"size": 1, "outer": [[0, 0], [12, 0], [12, 12 * 3 ** -0.5]]})
