@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/quality_table.hpp"
+#include "cli/threads.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
 #include "io/read_criteria.hpp"
@@ -182,10 +184,12 @@ int run(const MeshArguments& arguments) {
   if (!arguments.stages.empty()) snapshots.emplace(arguments.stages);
   ProgressBar bar(!arguments.quiet);
   Context context;
-  context.threads = arguments.threads;
+  context.run_all = run_on_threads(arguments.threads);
   context.is_cancelled = is_interrupted;
   refuse_too_large(run.model, run.options, run.options.max_quads, context);
+  std::mutex progress;
   context.on_progress = [&](std::string_view stage, double fraction) {
+    const std::lock_guard lock(progress);
     watch.enter(stage);
     bar.show(stage, fraction);
   };

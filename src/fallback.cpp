@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "domain/cell_set.hpp"
 #include "domain/size_locate.hpp"
 #include "slivers.hpp"
 
@@ -63,36 +64,14 @@ std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> plac
 
 bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   if (++attempts_ > kMostAttempts) return false;
-  const std::size_t least = halves() ? kFirstHalving : 0;
   bool advanced = false;
   for (const Trouble& t : troubles) {
     if (rung_[t.cell] + 1 == std::size(kRungs)) continue;
-    rung_[t.cell] = std::max(rung_[t.cell] + 1, least);
+    ++rung_[t.cell];
     if (why_[t.cell].empty()) why_[t.cell] = t.reason;
     advanced = true;
   }
   return advanced;
-}
-
-CellSet FallbackPlan::changed() const {
-  CellSet cells;
-  for (std::size_t i = 0; i < rung_.count(); ++i)
-    if (rung_[CellId(i)] > 0) cells.insert(CellId(i));
-  return cells;
-}
-
-CellSet FallbackPlan::other_triangles() const {
-  CellSet cells;
-  for (std::size_t i = 0; i < rung_.count(); ++i)
-    if (rung(CellId(i)).other_triangles) cells.insert(CellId(i));
-  return cells;
-}
-
-CellSet FallbackPlan::halved() const {
-  CellSet cells;
-  for (std::size_t i = 0; i < rung_.count(); ++i)
-    if (rung(CellId(i)).is_halved) cells.insert(CellId(i));
-  return cells;
 }
 
 Domain FallbackPlan::domain() const {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/report.hpp"
@@ -26,8 +25,6 @@ constexpr Rung kRungs[] = {{false, 1, false, "as asked"},
                            {true, 0.5, true, "and halved, with half the sizes"},
                            {false, 0.25, true, "and halved, with a quarter of the sizes"}};
 
-constexpr std::size_t kFirstHalving = 4;
-
 /// A cell where a mesh breaks the promise.
 struct Trouble {
   CellId cell;
@@ -48,15 +45,12 @@ class FallbackPlan {
  public:
   explicit FallbackPlan(const Domain& domain) : domain_(domain), rung_(domain.cells.count(), 0), why_(rung_.count()) {}
 
-  /// Takes the cells in trouble a rung further, straight to the halving ones where some are there already.
+  /// Takes the cells in trouble a rung further.
   /// @return  false: nothing is left to be tried.
   bool advance(const std::vector<Trouble>& troubles);
-  bool halves() const { return !halved().empty(); }
 
-  /// Cells that are not meshed as asked.
-  CellSet changed() const;
-  CellSet other_triangles() const;
-  CellSet halved() const;
+  const Rung& rung(CellId c) const { return kRungs[rung_[c]]; }
+  bool is_changed(CellId c) const { return rung_[c] > 0; }  ///< not meshed as asked
   /// The domain with the sizes of the plan.
   Domain domain() const;
   /// A finding for each cell that was not meshed as asked, at a place inside it.
@@ -65,7 +59,6 @@ class FallbackPlan {
   std::vector<Finding> failures(const std::vector<Trouble>& troubles) const;
 
  private:
-  const Rung& rung(CellId c) const { return kRungs[rung_[c]]; }
   std::string name_of(CellId c) const;
 
   const Domain& domain_;

@@ -8,6 +8,7 @@
 #include "domain/expected_quads.hpp"
 #include "fallback.hpp"
 #include "pipeline.hpp"
+#include "stage_clock.hpp"
 
 namespace quadline {
 

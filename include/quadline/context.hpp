@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 
@@ -10,10 +11,15 @@ namespace quadline {
 
 /// What a run shares with its caller: progress, cancelling, threads, snapshots. Every member may stay empty.
 struct Context {
-  std::function<void(std::string_view stage, double fraction)> on_progress;  ///< fraction of the stage, 0..1
-  std::function<bool()> is_cancelled;                                        ///< true: stop with Cancelled
-  std::function<void(std::string_view name, const Mesh& mesh)> on_snapshot;  ///< the mesh after a stage
-  unsigned threads = 1;                                                      ///< the mesh does not depend on it
+  /// Tells what part of a stage is done, 0..1. Where `run_all` uses threads it is called from them, also at once.
+  std::function<void(std::string_view stage, double fraction)> on_progress;
+  /// True: stop with Cancelled. Called as `on_progress` is.
+  std::function<bool()> is_cancelled;
+  /// Gets the mesh after a stage.
+  std::function<void(std::string_view name, const Mesh& mesh)> on_snapshot;
+  /// Calls `job(i)` once for every i < n and returns when all are done: in any order, also at once in several threads.
+  /// No job throws. Empty: one after the other. The mesh does not depend on it.
+  std::function<void(std::size_t n, const std::function<void(std::size_t)>& job)> run_all;
 
   /// Reports progress and gives the caller the chance to stop.
   /// @throws Cancelled when the caller asks for it.

@@ -23,12 +23,6 @@ SizeField SizeField::scaled(double factor) const {
   return field;
 }
 
-SizeField SizeField::doubled() const {
-  SizeField field = scaled(2);
-  for (std::uint32_t& n : field.least_edges_) n = (n + 1) / 2;
-  return field;
-}
-
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context) {
   context.progress("sizing", 0);
   double largest = 0, least = kNone;

@@ -43,8 +43,6 @@ class SizeField {
 
   /// The field of so many times the sizes; curves keep their least numbers of edges.
   SizeField scaled(double factor) const;
-  /// The field of twice the sizes; curves get half as many edges.
-  SizeField doubled() const;
 
   std::size_t leaf_count() const { return corners_.size(); }
 

@@ -145,6 +145,11 @@ void WorkMesh::build(std::vector<Point> points, std::vector<NodeTag> tags, std::
   fit();
 }
 
+void WorkMesh::keep_cell(CellId c) {
+  for (CellId& cell : cell_)
+    if (cell != c) cell = CellId();
+}
+
 void WorkMesh::drop_outside() {
   for (std::size_t i = 0; i < topo_.face_capacity(); ++i) {
     const FaceId f(i);

@@ -101,6 +101,8 @@ class WorkMesh {
 
   // Whole mesh
   void build(std::vector<Point> points, std::vector<NodeTag> tags, std::span<const Polygon> polygons);
+  /// Makes all that is not of the cell outside. @pre no segment is beside other cells alone.
+  void keep_cell(CellId c);
   /// Removes the faces of no cell, and the nodes that are left without an edge.
   void drop_outside();
   /// Closes the gaps that deleted elements left.

@@ -71,6 +71,8 @@ TEST_F(Fallback, OnlyTheTroubledCellGetsSmallerSizes) {
   EXPECT_LT(n_right(mesh), 2 * n_beside);
 }
 
+constexpr std::size_t kFirstHalving = 4;
+
 TEST_F(Fallback, HalvingKeepsTheSizes) {
   const auto n_all = static_cast<double>(attempt().result.mesh.quads.size());
   take_left_to(kFirstHalving);
@@ -78,11 +80,40 @@ TEST_F(Fallback, HalvingKeepsTheSizes) {
   EXPECT_NEAR(n_halved / n_all, 1, 0.25);
 }
 
-TEST_F(Fallback, SecondCellGoesStraightToHalving) {
+TEST_F(Fallback, EachCellClimbsItsOwnLadder) {
   take_left_to(kFirstHalving);
-  CellId right = troubles_at(domain_, Point{7, 3}, "")[0].cell;
+  const CellId right = troubles_at(domain_, Point{7, 3}, "")[0].cell;
   plan_.advance({{right, "it too", {7, 3}}});
-  EXPECT_TRUE(plan_.halved().contains(right));
+  EXPECT_TRUE(plan_.rung(left()).is_halved);
+  EXPECT_FALSE(plan_.rung(right).is_halved);
+  EXPECT_TRUE(plan_.is_changed(right));
+}
+
+// Nodes that only Q-Morph's cell has, away from the line between the two.
+TEST_F(Fallback, OnlyTheTroubledCellIsHalved) {
+  const auto right_of = [](const Mesh& mesh) {
+    std::size_t n = 0;
+    for (const Point p : mesh.points) n += p.x > 6;
+    return n;
+  };
+  const auto irregular_right = [this] {
+    const Attempt got = attempt({.method = Method::QMorph});
+    EXPECT_FALSE(got.result.failure);
+    return got.result.mesh;
+  };
+  const std::size_t before = right_of(irregular_right());
+  take_left_to(kFirstHalving);
+  std::size_t halved_left = 0;
+  context_.on_snapshot = [&](std::string_view name, const Mesh& mesh) {
+    if (name != "before-halving") return;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      ++halved_left;
+      EXPECT_LT(mesh.points[mesh.triangles[i][0]].x, 4 + 1e-9);
+    }
+  };
+  const double after = static_cast<double>(right_of(irregular_right()));
+  EXPECT_GT(halved_left, 0u);
+  EXPECT_NEAR(after / static_cast<double>(before), 1, 0.2);
 }
 
 TEST_F(Fallback, SameBytesTwice) {

@@ -74,10 +74,10 @@ std::vector<Chord> chords_of(const Domain& domain, const Polylines& lines) {
 /// Tells which arcs are too coarse, by pairs of chords.
 class ChordJudge {
  public:
-  ChordJudge(const Domain& domain, EdgeUse use) : domain_(domain), use_(use) {}
+  ChordJudge(const Domain& domain, const IdVector<CurveId, EdgeUse>& uses) : domain_(domain), uses_(uses) {}
 
   /// How far from a chord others matter to it.
-  double reach(const Chord& c) const { return (use_ == EdgeUse::Halved ? 1 + kClearance : 1) * std::max(c.bulge, 0.0); }
+  double reach(const Chord& c) const { return (is_halved(c) ? 1 + kClearance : 1) * std::max(c.bulge, 0.0); }
 
   /// The arc that needs more nodes because of these two; invalid: none, or it is found from d.
   CurveId guilty(const Chord& c, const Chord& d) const {
@@ -85,7 +85,7 @@ class ChordJudge {
     // Not both at once: where arcs touch, that may never end.
     if (cuts_off_a_node(d, c)) return CurveId();
     if (conflict(c, d)) return is_arc(d.curve) && d.bulge > c.bulge ? d.curve : c.curve;
-    return use_ == EdgeUse::Halved && comes_close(c, d) ? c.curve : CurveId();
+    return is_halved(c) && comes_close(c, d) ? c.curve : CurveId();
   }
 
   bool is_arc(CurveId c) const { return c.valid() && domain_.curves[c].piece.is_arc(); }
@@ -105,17 +105,20 @@ class ChordJudge {
     return is_close(d.a) || is_close(d.b);
   }
 
+  bool is_halved(const Chord& c) const { return uses_[c.curve] == EdgeUse::Halved; }
+
   const Domain& domain_;
-  EdgeUse use_;
+  const IdVector<CurveId, EdgeUse>& uses_;
 };
 
 }  // namespace
 
-std::vector<CurveId> too_coarse_arcs(const Domain& domain, const Polylines& lines, EdgeUse use) {
+std::vector<CurveId> too_coarse_arcs(const Domain& domain, const Polylines& lines,
+                                     const IdVector<CurveId, EdgeUse>& uses) {
   std::vector<CurveId> found;
   if (std::none_of(domain.curves.begin(), domain.curves.end(), [](const auto& c) { return c.piece.is_arc(); }))
     return found;
-  const ChordJudge judge(domain, use);
+  const ChordJudge judge(domain, uses);
   const std::vector<Chord> chords = chords_of(domain, lines);
   std::vector<Box> boxes;
   boxes.reserve(chords.size());

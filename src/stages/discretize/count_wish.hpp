@@ -8,6 +8,7 @@ namespace quadline {
 struct CountWish {
   double length = 1;        ///< number of edges by the sizes alone, > 0
   std::uint32_t least = 1;  ///< never fewer
+  bool is_even = false;     ///< an odd number will not do
 };
 
 /// The count of the given parity (0 or 1) that suits the wish best, by the ratio of the two.

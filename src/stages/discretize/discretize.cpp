@@ -1,9 +1,12 @@
 #include "stages/discretize/discretize.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "stages/discretize/chords.hpp"
 #include "stages/discretize/intervals.hpp"
 #include "stages/discretize/metric_length.hpp"
 
@@ -12,26 +15,30 @@ namespace {
 
 class Discretizer {
  public:
-  Discretizer(const Domain& domain, const SizeField& size) : domain_(domain), size_(size) {}
+  Discretizer(const Domain& domain, const SizeField& size, const CellSet& halved) : domain_(domain), size_(size) {
+    uses_.assign(domain.curves.count(), EdgeUse::Whole);
+    for (const CurveId c : curves_round(domain, halved)) uses_[c] = EdgeUse::Halved;
+    for (std::size_t i = 0; i < domain.cells.count(); ++i) all_halved_ &= halved.contains(CellId(i));
+  }
 
   void choose_places() {
     IdVector<CurveId, CountWish> wishes;
     wishes.reserve(domain_.curves.count());
-    for (std::size_t i = 0; i < domain_.curves.count(); ++i) {
-      const CurveId c(i);
-      wishes.push_back({MetricLength(domain_.curves[c].piece, size_).total(), size_.least_edges(c)});
-    }
+    for (std::size_t i = 0; i < domain_.curves.count(); ++i) wishes.push_back(wish(CurveId(i)));
     const IdVector<CurveId, std::uint32_t> counts = choose_counts(domain_, std::move(wishes));
     places_.assign(counts.count(), {});
     lines_.assign(counts.count(), {});
-    for (std::size_t i = 0; i < counts.count(); ++i) place(CurveId(i), counts[CurveId(i)]);
+    for (std::size_t i = 0; i < counts.count(); ++i) {
+      const CurveId c(i);
+      place(c, uses_[c] == EdgeUse::Halved && !all_halved_ ? counts[c] / 2 : counts[c]);
+    }
   }
 
   /// Chords leave their arcs, and so may cross what the arcs do not. An even number of edges more keeps cells even.
-  void refine_arcs(EdgeUse use) {
+  void refine_arcs() {
     constexpr int kMaxRounds = 16;
     for (int round = 0; round < kMaxRounds; ++round) {
-      const std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, use);
+      const std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, uses_);
       if (coarse.empty()) return;
       for (CurveId c : coarse) {
         const auto count = static_cast<std::uint32_t>(places_[c].size() + 1);
@@ -58,6 +65,16 @@ class Discretizer {
   }
 
  private:
+  /// Where all edges will be halved, the counts are those before: even round every cell, as pairs of triangles want.
+  /// Else they are those of the mesh in the end.
+  CountWish wish(CurveId c) const {
+    const double length = MetricLength(domain_.curves[c].piece, size_).total();
+    const std::uint32_t least = size_.least_edges(c);
+    if (all_halved_) return {length / 2, (least + 1) / 2};
+    const bool is_even = uses_[c] == EdgeUse::Halved;
+    return {length, is_even ? least + least % 2 : least, is_even};
+  }
+
   void place(CurveId c, std::uint32_t count) {
     const CurvePiece& piece = domain_.curves[c].piece;
     places_[c] = MetricLength(piece, size_).places(count);
@@ -68,21 +85,33 @@ class Discretizer {
 
   const Domain& domain_;
   const SizeField& size_;
+  IdVector<CurveId, EdgeUse> uses_;
+  bool all_halved_ = true;
   IdVector<CurveId, std::vector<double>> places_;  ///< arc lengths of the nodes inside each curve
   Polylines lines_;
 };
 
 }  // namespace
 
-WorkMesh discretize(const Domain& domain, const SizeField& size, EdgeUse use, Context& context) {
+WorkMesh discretize(const Domain& domain, const SizeField& size, const CellSet& halved, Context& context) {
   context.progress("discretize", 0);
-  Discretizer discretizer(domain, size);
+  Discretizer discretizer(domain, size, halved);
   discretizer.choose_places();
   context.progress("discretize", 0.5);
-  discretizer.refine_arcs(use);
+  discretizer.refine_arcs();
   WorkMesh mesh = discretizer.mesh();
   context.progress("discretize", 1);
   return mesh;
+}
+
+std::vector<CurveId> curves_round(const Domain& domain, const CellSet& cells) {
+  std::vector<CurveId> curves;
+  for (std::size_t i = 0; i < domain.curves.count(); ++i) {
+    const Domain::Curve& c = domain.curves[CurveId(i)];
+    if ((c.left.valid() && cells.contains(c.left)) || (c.right.valid() && cells.contains(c.right)))
+      curves.emplace_back(i);
+  }
+  return curves;
 }
 
 }  // namespace quadline

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <vector>
+
+#include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
-#include "stages/discretize/chords.hpp"
 
 namespace quadline {
 
@@ -13,8 +15,14 @@ namespace quadline {
 /// The number of edges round every cell comes out even (a line inside a cell counts twice): the parity of each curve's
 /// count follows from a label 0 or 1 per vertex, chosen where it hurts the sizes least.
 ///
-/// @param use  edges that will be halved keep farther from what lies near an arc.
-/// @return  nodes (tagged) and `segments`; no faces yet.
-WorkMesh discretize(const Domain& domain, const SizeField& size, EdgeUse use, Context& context);
+/// @param size    of the edges of the mesh in the end.
+/// @param halved  cells whose edges will be halved. The curves round them get edges of twice the size, which keep
+///                farther from what lies near an arc; the other cells there count each of them as two.
+/// @return  nodes (tagged), those of the vertices first, and `segments`; no faces yet.
+/// @throws Cancelled when `context` asks for it.
+WorkMesh discretize(const Domain& domain, const SizeField& size, const CellSet& halved, Context& context);
+
+/// The curves round some cells, in id order: where the edges will be halved.
+std::vector<CurveId> curves_round(const Domain& domain, const CellSet& cells);
 
 }  // namespace quadline

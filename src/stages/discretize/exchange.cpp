@@ -36,6 +36,7 @@ class Exchange {
       for (std::uint32_t k = 0; k < 4; ++k) {
         if (!bay.is_close[k % 2]) continue;
         for (CurveId c : bay.sides[k]) {
+          if (state_.wish(c).is_even) continue;
           const std::int64_t excess = state_.sum(b, k) - state_.sum(b, (k + 2) % 4);
           if (excess == 0) break;
           is_better |= try_from(c, excess > 0 ? -1 : 1);
@@ -124,7 +125,7 @@ class Exchange {
   double crossing_cost(CurveId c, int step) const {
     const CountWish& wish = state_.wish(c);
     const std::int64_t count = static_cast<std::int64_t>(state_.count(c)) + step;
-    if (count < std::max<std::int64_t>(1, wish.least)) return kFar;
+    if (wish.is_even || count < std::max<std::int64_t>(1, wish.least)) return kFar;
     const double cost = count_cost(wish, static_cast<std::uint32_t>(count)) - count_cost(wish, state_.count(c));
     return std::max(0.0, cost);
   }

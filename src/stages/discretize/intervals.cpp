@@ -12,21 +12,26 @@ namespace quadline {
 
 namespace {
 
-/// A cell with two edges round it could hold no quad: one of its curves gets two more.
+/// A cell with two edges round it could hold no quad: one of its curves gets two more. Where all its curves are even
+/// it may be one that is halved, and has half as many edges before.
 void fill_smallest_cells(const Domain& domain, const IdVector<CurveId, CountWish>& wishes,
                          IdVector<CurveId, std::uint32_t>& counts) {
   constexpr std::uint32_t kLeastEdges = 4;
   for (const Domain::Cell& cell : domain.cells) {
+    std::uint32_t least = 2 * kLeastEdges;
+    for (const auto& walk : cell.walks)
+      for (const DirectedCurve& d : walk)
+        if (!wishes[d.curve].is_even) least = kLeastEdges;
     std::uint32_t sum = 0;
     CurveId best;
     for (const auto& walk : cell.walks)
       for (const DirectedCurve& d : walk) {
         sum += counts[d.curve];
-        if (sum >= kLeastEdges) break;
+        if (sum >= least) break;
         const auto cost = [&](CurveId c) { return count_cost(wishes[c], counts[c] + 2); };
         if (!best.valid() || cost(d.curve) < cost(best)) best = d.curve;
       }
-    if (sum < kLeastEdges && best.valid()) counts[best] += 2;
+    for (; sum < least && best.valid(); sum += 2) counts[best] += 2;
   }
 }
 

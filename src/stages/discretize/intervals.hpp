@@ -8,7 +8,7 @@
 namespace quadline {
 
 /// Numbers of edges on the curves, such that every cell has an even number round it (a line inside it counts twice),
-/// at least four.
+/// at least four; eight where all its curves must be even.
 ///
 /// Opposite sides of bays get equal counts where their wishes are close; else the counts differ as little from the
 /// wishes as evenness allows. No count falls below its wish by more than the factor `kMostCoarsened`. Near-linear in

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "stages/discretize/count_state.hpp"
@@ -55,13 +56,15 @@ class LabelForest {
   std::vector<std::uint8_t> label_;  ///< against that of `up_`
 };
 
-/// The curves that care most get their wish, as far as they close no cycle that others have settled.
+/// The curves that care most get their wish, as far as they close no cycle that others have settled. Those that must be
+/// even come first, and never stand against each other.
 IdVector<CurveId, std::uint32_t> first_counts(const Domain& domain, const CountState& state) {
   IdVector<CurveId, double> preference;  // > 0: odd
   std::vector<CurveId> order;
   for (std::size_t i = 0; i < domain.curves.count(); ++i) {
     const CountWish& wish = state.wish(CurveId(i));
-    preference.push_back(count_cost(wish, best_count(wish, 0)) - count_cost(wish, best_count(wish, 1)));
+    preference.push_back(wish.is_even ? -std::numeric_limits<double>::infinity()
+                                      : count_cost(wish, best_count(wish, 0)) - count_cost(wish, best_count(wish, 1)));
     order.push_back(CurveId(i));
   }
   std::sort(order.begin(), order.end(), [&](CurveId a, CurveId b) {
@@ -98,18 +101,18 @@ class Flips {
   }
 
  private:
-  /// The curves at v change parity, but for those between v and `but`.
-  void gather(VertexId v, VertexId but) {
+  /// The curves at v change parity, but for those between v and `but`; false where one must not.
+  bool gather(VertexId v, VertexId but) {
     for (auto c = curves_at_.begin(v.value); c != curves_at_.end(v.value); ++c) {
       if (domain_.curves[*c].tail == but || domain_.curves[*c].head == but) continue;
+      if (state_.wish(*c).is_even) return false;
       changes_.push_back({*c, best_count(state_.wish(*c), 1 - (state_.count(*c) & 1))});
     }
+    return true;
   }
   bool flip(VertexId u, VertexId v) {
     changes_.clear();
-    gather(u, v);
-    if (v.valid()) gather(v, u);
-    return state_.try_changes(changes_);
+    return gather(u, v) && (!v.valid() || gather(v, u)) && state_.try_changes(changes_);
   }
   /// A count that is two off its wish may make a bay equal.
   bool step(CurveId c, int by) {

@@ -21,15 +21,14 @@ bool stays_positive(const WorkMesh& mesh, NodeId v, Point p) {
   return positive;
 }
 
-// Evens out the distances of free nodes, and keeps the triangles Delaunay. Marched cells stay: it would bend their
-// rows.
-void relax(WorkMesh& mesh, const std::function<bool(CellId)>& is_marched) {
+// Evens out the distances of free nodes, and keeps the triangles Delaunay.
+void relax(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<EdgeId> suspects;
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
       const NodeId v(i);
-      if (!topo.is_live(v) || !mesh.is_free(v) || is_marched(mesh.cell(topo.face(topo.out(v))))) continue;
+      if (!topo.is_live(v) || !mesh.is_free(v)) continue;
       Point mean;
       int n = 0;
       topo.for_each_out(v, [&](HalfId h) {
@@ -47,15 +46,13 @@ void relax(WorkMesh& mesh, const std::function<bool(CellId)>& is_marched) {
 
 }  // namespace
 
-void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, const CellSet& other,
-                         Context& context) {
-  const bool front = triangles != Triangles::Delaunay;
-  const auto is_marched = [&](CellId c) { return front != other.contains(c); };
-  if (front || !other.empty()) march_from_constraints(mesh, size, is_marched, context);
-  subdivide_edges(mesh, size, front ? kMarchShare : 0, context);
+void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, Context& context) {
+  const bool is_marched = triangles != Triangles::Delaunay;
+  if (is_marched) march_from_constraints(mesh, size, context);
+  subdivide_edges(mesh, size, is_marched ? kMarchShare : 0, context);
   mesh.drop_outside();
   mesh.sort_in_space();
-  if (!front || !other.empty()) relax(mesh, is_marched);
+  if (!is_marched) relax(mesh);  // else it would bend the rows
   QUADLINE_DEBUG_CHECK(defect(mesh).empty());
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
@@ -12,10 +11,8 @@ namespace quadline {
 ///
 /// @param triangles  Delaunay: edges subdivided after the local size, filtered, inserted, until no edge is too long
 ///                   [BorouchakiGeorge1997]; Front, Both: an advancing front from the constraints inwards.
-/// @param other      cells that get the other kind.
 /// @post  no face outside the domain is left, no constraint was split.
 /// Cost O(n log n).
-void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, const CellSet& other,
-                         Context& context);
+void insert_field_points(WorkMesh& mesh, const SizeField& size, Triangles triangles, Context& context);
 
 }  // namespace quadline

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
@@ -44,9 +42,7 @@ class Insertion {
 /// @param done  the part of the stage that is done before, 0..1, for the progress.
 void subdivide_edges(WorkMesh& mesh, const SizeField& size, double done, Context& context);
 
-/// Fills the cells of which `is_marched` says so in rows from the constraints inwards, at right angles to them
-/// [Remacle2013].
-void march_from_constraints(WorkMesh& mesh, const SizeField& size, const std::function<bool(CellId)>& is_marched,
-                            Context& context);
+/// Fills the cells in rows from the constraints inwards, at right angles to them [Remacle2013].
+void march_from_constraints(WorkMesh& mesh, const SizeField& size, Context& context);
 
 }  // namespace quadline

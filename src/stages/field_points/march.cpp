@@ -26,9 +26,8 @@ Point rotated(Point v, double angle) {
 }
 
 // The inner directions of each sector of a constraint node: where its side edges will be.
-void seeds_of(const WorkMesh& mesh, NodeId v, const std::function<bool(CellId)>& is_marched, std::vector<Seed>& seeds) {
+void seeds_of(const WorkMesh& mesh, NodeId v, std::vector<Seed>& seeds) {
   mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) {
-    if (!is_marched(mesh.cell(mesh.topo().face(first)))) return;
     const int k = quads_for_angle(angle);
     const Point edge = mesh.point(mesh.topo().head(first)) - mesh.point(v);
     const Point along = (1 / norm(edge)) * edge;
@@ -42,8 +41,7 @@ void seeds_of(const WorkMesh& mesh, NodeId v, const std::function<bool(CellId)>&
 
 }  // namespace
 
-void march_from_constraints(WorkMesh& mesh, const SizeField& size, const std::function<bool(CellId)>& is_marched,
-                            Context& context) {
+void march_from_constraints(WorkMesh& mesh, const SizeField& size, Context& context) {
   const Topology& topo = mesh.topo();
   Insertion insertion(mesh, size);
   std::queue<Seed> queue;
@@ -51,7 +49,7 @@ void march_from_constraints(WorkMesh& mesh, const SizeField& size, const std::fu
   const std::size_t n_start = topo.node_capacity();
   for (std::size_t i = 0; i < n_start; ++i) {
     seeds.clear();
-    seeds_of(mesh, NodeId(i), is_marched, seeds);
+    seeds_of(mesh, NodeId(i), seeds);
     for (const Seed& s : seeds) queue.push(s);
   }
   double steps = 0;

@@ -54,6 +54,19 @@ void cut_poor_quads(WorkMesh& mesh) {
   }
 }
 
+// The middle of a segment along its curve.
+struct Middle {
+  Point at;
+  double s;
+  bool is_forward;  // a comes before b on the curve
+};
+
+Middle middle_of(const WorkMesh& mesh, const Domain& domain, NodeId a, NodeId b, CurveId c) {
+  const CurvePiece& piece = domain.curves[c].piece;
+  const double sa = project(piece, mesh.point(a)), sb = project(piece, mesh.point(b)), s = 0.5 * (sa + sb);
+  return {point_at(piece, s), s, sa < sb};
+}
+
 class Halving {
  public:
   Halving(WorkMesh& mesh, const Domain& domain) : mesh_(mesh), domain_(domain) {}
@@ -88,12 +101,11 @@ class Halving {
       return;
     }
     const CurveId c = mesh_.curve(e);
-    const CurvePiece& piece = domain_.curves[c].piece;
-    const double sa = project(piece, mesh_.point(a)), sb = project(piece, mesh_.point(b)), s = 0.5 * (sa + sb);
-    const NodeId m = add_node(point_at(piece, s), {NodeKind::OnCurve, c, s, VertexId()});
+    const Middle middle = middle_of(mesh_, domain_, a, b, c);
+    const NodeId m = add_node(middle.at, {NodeKind::OnCurve, c, middle.s, VertexId()});
     middle_.push_back(m);
-    segments_.push_back({sa < sb ? a : b, m, c});
-    segments_.push_back({m, sa < sb ? b : a, c});
+    segments_.push_back({middle.is_forward ? a : b, m, c});
+    segments_.push_back({m, middle.is_forward ? b : a, c});
   }
 
   void add_quads(FaceId f) {
@@ -132,6 +144,23 @@ void halve(WorkMesh& mesh, const Domain& domain, Context& context) {
   Halving(mesh, domain).run();
   mesh.sort_in_space();
   context.progress("halve", 1);
+}
+
+void halve_segments(WorkMesh& mesh, const Domain& domain, const std::vector<CurveId>& curves) {
+  IdVector<CurveId, std::uint8_t> is_halved(domain.curves.count(), 0);
+  for (const CurveId c : curves) is_halved[c] = 1;
+  std::vector<Segment> segments;
+  for (const Segment& s : mesh.segments) {
+    if (!is_halved[s.curve]) {
+      segments.push_back(s);
+      continue;
+    }
+    const Middle middle = middle_of(mesh, domain, s.a, s.b, s.curve);
+    const NodeId m = mesh.add_node(middle.at, {NodeKind::OnCurve, s.curve, middle.s, VertexId()});
+    segments.push_back({s.a, m, s.curve});
+    segments.push_back({m, s.b, s.curve});
+  }
+  mesh.segments = std::move(segments);
 }
 
 }  // namespace quadline

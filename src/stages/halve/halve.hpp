@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "domain/domain.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
@@ -17,5 +19,8 @@ namespace quadline {
 /// @throws Cancelled when `context` asks for it.
 /// Cost O(n log n). Source: [Rank1993].
 void halve(WorkMesh& mesh, const Domain& domain, Context& context);
+
+/// Halves the segments of some curves, before there are faces: with the very nodes that `halve` puts there.
+void halve_segments(WorkMesh& mesh, const Domain& domain, const std::vector<CurveId>& curves);
 
 }  // namespace quadline

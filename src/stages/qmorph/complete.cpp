@@ -161,12 +161,11 @@ class Completion {
 
 }  // namespace
 
-void Morph::complete(const CellSet& left_out) {
+void Morph::complete() {
   const Topology& topo = mesh_.topo();
   std::vector<FaceId> triangles;
   for (std::size_t i = 0; i < topo.face_capacity(); ++i)
-    if (topo.is_live(FaceId(i)) && topo.is_triangle(FaceId(i)) && !left_out.contains(mesh_.cell(FaceId(i))))
-      triangles.push_back(FaceId(i));
+    if (topo.is_live(FaceId(i)) && topo.is_triangle(FaceId(i))) triangles.push_back(FaceId(i));
   if (triangles.empty()) return;
   Completion completion(mesh_, triangles);
   completion.choose();

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
 #include "stages/qmorph/front.hpp"
 #include "stages/qmorph/parity.hpp"
@@ -28,8 +27,8 @@ class Morph {
   bool seam(const Corner& corner);        // seam.cpp: joins the two front edges of a sharp corner
   bool transition(const Corner& corner);  // transition.cpp: one front edge much longer than its neighbour
   bool form_quad(HalfId base);            // form_quad.cpp: the normal step
-  /// All triangles that are left, whatever the front, but for the cells left out.
-  void complete(const CellSet& left_out);  // complete.cpp
+  /// All triangles that are left, whatever the front.
+  void complete();  // complete.cpp
 
   // Parts of the normal step
   enum class End { Tail, Head };  ///< of the base edge

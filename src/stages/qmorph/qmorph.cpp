@@ -91,7 +91,7 @@ class Driver {
         if (observe) observe("half-way", mesh_);
       }
     }
-    morph_.complete(options_.left_out);
+    morph_.complete();
   }
 
  private:
@@ -138,15 +138,11 @@ class Driver {
     return true;
   }
 
-  bool is_wanted(HalfId h) const {
-    return is_front(mesh_, h) && !options_.left_out.contains(mesh_.cell(mesh_.topo().face(h)));
-  }
-
   void push_touched() {
     const Topology& topo = mesh_.topo();
     pushed_.clear();
     const auto push = [&](HalfId h) {
-      if (!is_wanted(h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
+      if (!is_front(mesh_, h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
       pushed_.push_back(h);
       queue_.push(h);
     };
@@ -164,7 +160,7 @@ class Driver {
     for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
       if (!topo.is_live(EdgeId(i))) continue;
       for (int side = 0; side < 2; ++side)
-        if (const HalfId h = half_of(EdgeId(i), side); is_wanted(h) && !is_dormant(h)) queue_.push(h);
+        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_dormant(h)) queue_.push(h);
     }
   }
 

@@ -3,7 +3,6 @@
 #include <functional>
 #include <string_view>
 
-#include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
@@ -13,7 +12,6 @@ namespace quadline {
 
 struct FrontOptions {
   LineFronts lines = LineFronts::TwoSided;
-  CellSet left_out{};                   ///< cells that stay triangles
   std::size_t steps_per_triangle = 64;  ///< a front that takes more spins
 };
 
@@ -21,8 +19,7 @@ struct FrontOptions {
 ///
 /// @param observe  called after the first layer of quads and half-way, with a name; may be empty.
 /// @pre   triangles only; an even number of edges round every cell.
-/// @post  quads only, but for the cells left out; every constraint is an edge still. Quads may be badly shaped, even
-/// inverted, where the front
+/// @post  quads only; every constraint is an edge still. Quads may be badly shaped, even inverted, where the front
 ///        closed in haste: clean-up and smoothing mend that.
 /// @throws InternalError  the edges round a cell are odd in number, or the front does not end.
 /// Cost O(n log n).

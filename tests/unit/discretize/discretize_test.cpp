@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
 
 #include "domain/arrange.hpp"
 #include "geom/predicates.hpp"
+#include "stages/discretize/metric_length.hpp"
 #include "tests/unit/domain/size_shapes.hpp"
 
 namespace quadline {
@@ -18,9 +20,15 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-WorkMesh nodes_of(const Domain& domain, const Options& options = {}, EdgeUse use = EdgeUse::Whole) {
+WorkMesh nodes_of(const Domain& domain, const Options& options = {}, const CellSet& halved = {}) {
   Context context;
-  return discretize(domain, make_size_field(domain, options, context), use, context);
+  return discretize(domain, make_size_field(domain, options, context), halved, context);
+}
+
+CellSet all_cells(const Domain& domain) {
+  CellSet cells;
+  for (std::size_t i = 0; i < domain.cells.count(); ++i) cells.insert(CellId(i));
+  return cells;
 }
 
 std::vector<unsigned> counts(const Domain& domain, const WorkMesh& mesh) {
@@ -319,16 +327,73 @@ TEST(Discretize, ArcsWhoseEdgesAreHalvedKeepClearOfNodesNearThem) {
       shapes::Builder({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}, {-r, 0}, {r, 0}, {0.3, r + gap}, {0, 15}},
                       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5, Point{0, r}}, {6, 7}}, 4)
           .build();
-  const auto bulge = [&](EdgeUse use) {  // of the chord below the node
-    const WorkMesh mesh = nodes_of(domain, {}, use);
+  const auto bulge = [&](const CellSet& halved) {  // of the chord below the node
+    const WorkMesh mesh = nodes_of(domain, {}, halved);
     expect_sound(domain, mesh);
     for (const Segment& s : mesh.segments)
       if (domain.curves[s.curve].piece.is_arc() && (mesh.point(s.a).x < 0.3) != (mesh.point(s.b).x < 0.3))
         return r - norm(midpoint(mesh.point(s.a), mesh.point(s.b)));
     return kNone;
   };
-  EXPECT_GT(bulge(EdgeUse::Whole), gap);
-  EXPECT_LE(bulge(EdgeUse::Halved), gap / 2);
+  EXPECT_GT(bulge({}), gap);
+  EXPECT_LE(bulge(all_cells(domain)), gap / 2);
+}
+
+/// Lines, arcs and circles on a small grid, where everything meets everything.
+std::optional<Domain> random_domain(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % 81); };
+  Model model = square_model(20, 1 + 0.5 * static_cast<double>(seed % 4));
+  for (unsigned i = 0; i < 4 + seed % 9; ++i) {
+    Line line{"line", {}, {}};
+    if (seed % 3 == 0) line.size = 0.3 + 0.2 * static_cast<double>(random() % 5);
+    if (i % 4 == 3) {
+      line.path.circle = Circle{{5 + 0.5 * coordinate(), 5 + 0.5 * coordinate()}, 0.5 + 0.2 * coordinate()};
+    } else {
+      line.path.items = {{{coordinate(), coordinate()}, {}}, {{coordinate(), coordinate()}, {}}};
+      if (i % 4 == 2) line.path.items[1].via = Point{coordinate(), coordinate()};
+    }
+    model.lines.push_back(line);
+  }
+  try {
+    return arranged(model);
+  } catch (const InputError&) {
+    return {};  // an arc of no length, and the like
+  }
+}
+
+TEST(Discretize, HalvedCellsGetHalfTheEdgesAndTheOthersStayEven) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const std::optional<Domain> random = random_domain(seed);
+    if (!random) continue;
+    const Domain& domain = *random;
+    SCOPED_TRACE(seed);
+    Context context;
+    CellSet halved;
+    for (std::size_t i = 0; i < domain.cells.count(); i += 3) halved.insert(CellId(i));
+    std::vector<unsigned> n = counts(domain, nodes_of(domain, {}, halved));
+    for (const CurveId c : curves_round(domain, halved)) {
+      const double length = MetricLength(domain.curves[c].piece, make_size_field(domain, {}, context)).total();
+      n[c.value] *= 2;  // as other cells see them
+      EXPECT_GE(n[c.value], std::floor(length / 1.5));
+    }
+    for (std::size_t i = 0; i < domain.cells.count(); ++i) {
+      const unsigned sum = edges_round(domain.cells[CellId(i)], n);
+      EXPECT_EQ(sum % 2, 0u);
+      EXPECT_GE(sum, halved.contains(CellId(i)) ? 8u : 4u);
+    }
+  }
+}
+
+TEST(Discretize, WhereAllCellsAreHalvedTheirEdgesBeforeAreEvenInNumber) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const std::optional<Domain> domain = random_domain(seed);
+    if (!domain) continue;
+    SCOPED_TRACE(seed);
+    const WorkMesh mesh = nodes_of(*domain, {}, all_cells(*domain));
+    expect_sound(*domain, mesh);
+    EXPECT_LT(mesh.segments.size(), nodes_of(*domain).segments.size());
+  }
 }
 
 TEST(Discretize, LonePointsAreFixedNodes) {
@@ -343,29 +408,11 @@ TEST(Discretize, LonePointsAreFixedNodes) {
 
 TEST(Discretize, RandomArrangementsAreEvenEverywhereAndCrossNowhere) {
   for (unsigned seed = 0; seed < 40; ++seed) {
-    std::mt19937 random(seed);
-    const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % 81); };
-    Model model = square_model(20, 1 + 0.5 * static_cast<double>(seed % 4));
-    for (unsigned i = 0; i < 4 + seed % 9; ++i) {
-      Line line{"line", {}, {}};
-      if (seed % 3 == 0) line.size = 0.3 + 0.2 * static_cast<double>(random() % 5);
-      if (i % 4 == 3) {
-        line.path.circle = Circle{{5 + 0.5 * coordinate(), 5 + 0.5 * coordinate()}, 0.5 + 0.2 * coordinate()};
-      } else {
-        line.path.items = {{{coordinate(), coordinate()}, {}}, {{coordinate(), coordinate()}, {}}};
-        if (i % 4 == 2) line.path.items[1].via = Point{coordinate(), coordinate()};
-      }
-      model.lines.push_back(line);
-    }
-    Domain domain;
-    try {
-      domain = arranged(model);
-    } catch (const InputError&) {
-      continue;  // an arc of no length, and the like
-    }
+    const std::optional<Domain> domain = random_domain(seed);
+    if (!domain) continue;
     SCOPED_TRACE(seed);
-    const WorkMesh mesh = nodes_of(domain);
-    expect_sound(domain, mesh);
+    const WorkMesh mesh = nodes_of(*domain);
+    expect_sound(*domain, mesh);
     expect_no_crossing(mesh);
   }
 }

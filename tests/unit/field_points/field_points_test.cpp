@@ -30,10 +30,10 @@ struct Triangulated {
   explicit Triangulated(const Model& model)
       : domain(arrange(model, {}, context)),
         size(make_size_field(domain, {}, context)),
-        mesh(discretize(domain, size, EdgeUse::Whole, context)) {
+        mesh(discretize(domain, size, {}, context)) {
     triangulate(mesh, domain, context);
   }
-  void fill(Triangles how) { insert_field_points(mesh, size, how, {}, context); }
+  void fill(Triangles how) { insert_field_points(mesh, size, how, context); }
 
   std::size_t n_constraints() const {
     std::size_t n = 0;

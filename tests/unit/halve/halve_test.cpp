@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "domain/arrange.hpp"
 #include "domain/size_field.hpp"
@@ -78,10 +80,13 @@ TEST(Halve, MiddlesOfArcsLieOnThem) {
   model.outer.push_back({.circle = Circle{{0, 0}, 1}});
   Context context;
   const Domain domain = arrange(model, {}, context);
-  const SizeField size = make_size_field(domain, {}, context).doubled();
-  WorkMesh mesh = discretize(domain, size, EdgeUse::Halved, context);
+  const SizeField size = make_size_field(domain, {}, context);
+  CellSet all;
+  all.insert(CellId(0));
+  const WorkMesh nodes = discretize(domain, size, all, context);
+  WorkMesh mesh = nodes, halved_nodes = nodes;
   triangulate(mesh, domain, context);
-  insert_field_points(mesh, size, Triangles::Front, {}, context);
+  insert_field_points(mesh, size.scaled(2), Triangles::Front, context);
   mesh = halved(std::move(mesh), domain);
   EXPECT_GT(least_jacobian(mesh), 0.2);
   std::size_t n_on_curve = 0;
@@ -93,6 +98,25 @@ TEST(Halve, MiddlesOfArcsLieOnThem) {
     EXPECT_NEAR(distance(mesh.point(NodeId(i)), point_at(domain.curves[tag.curve].piece, tag.s)), 0, 1e-12);
   }
   EXPECT_GE(n_on_curve, 8u);
+
+  // The segments alone, halved, have the same nodes.
+  halve_segments(halved_nodes, domain, curves_round(domain, all));
+  ASSERT_EQ(halved_nodes.segments.size(), 2 * nodes.segments.size());
+  std::set<std::pair<CurveId, double>> places;
+  for (const Segment& s : mesh.segments) places.insert({s.curve, mesh.tag(s.b).s});
+  for (const Segment& s : halved_nodes.segments)
+    EXPECT_TRUE(places.count({s.curve, halved_nodes.tag(s.b).s})) << halved_nodes.tag(s.b).s;
+}
+
+TEST(HalveSegments, LeavesTheOtherCurves) {
+  const shapes::Patch patch = shapes::patch({.nx = 4, .ny = 3});
+  WorkMesh nodes = patch.mesh;
+  nodes.segments = {{patch.node(0, 0), patch.node(4, 0), CurveId(0)}, {patch.node(4, 0), patch.node(4, 3), CurveId(1)}};
+  halve_segments(nodes, patch.domain, {CurveId(1)});
+  ASSERT_EQ(nodes.segments.size(), 3u);
+  EXPECT_EQ(nodes.segments[0].b, patch.node(4, 0));
+  EXPECT_EQ(nodes.segments[1].b, nodes.segments[2].a);
+  EXPECT_EQ(nodes.tag(nodes.segments[1].b).curve, CurveId(1));
 }
 
 TEST(Halve, StopsWhenAsked) {

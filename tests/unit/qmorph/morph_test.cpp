@@ -230,7 +230,7 @@ TEST_F(MorphTest, QuadNeverSwallowsAPointConstraint) {
   }
   Morph morph(mesh, size_);
   EXPECT_FALSE(morph.close_loop(mesh.topo().find(NodeId(0), NodeId(1))));
-  morph.complete({});
+  morph.complete();
   EXPECT_TRUE(mesh.topo().is_live(NodeId(4)));
   EXPECT_EQ(shapes::n_triangles(mesh), 0u);
 }
@@ -240,7 +240,7 @@ TEST_F(MorphTest, CompletionLeavesNoTriangleAndKeepsEveryLine) {
     WorkMesh mesh = shapes::triangulated_grid(2 * n, n + 1, {{2 * n + 1, 4 * n + 2}});
     const std::size_t constraints = shapes::n_constraints(mesh);
     Morph morph(mesh, size_);
-    morph.complete({});
+    morph.complete();
     EXPECT_EQ(shapes::n_triangles(mesh), 0u);
     EXPECT_EQ(shapes::n_constraints(mesh), constraints);
     EXPECT_EQ(mesh.topo().defect(), nullptr);

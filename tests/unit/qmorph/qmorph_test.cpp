@@ -70,23 +70,6 @@ TEST(QMorphOneSided, FirstLayerStandsOnTheLeftOfTheLineOnly) {
   EXPECT_TRUE(seen);
 }
 
-TEST(QMorph, CellsLeftOutStayTriangles) {
-  WorkMesh mesh = shapes::triangulated_grid(6, 4, {{3, 10}, {10, 17}, {17, 24}, {24, 31}});  // from side to side
-  CellSet left_out;
-  left_out.insert(CellId(1));
-  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
-    const Polygon p = mesh.topo().polygon(FaceId(i));
-    if (std::all_of(p.nodes.begin(), p.nodes.begin() + 3, [&](NodeId v) { return mesh.point(v).x >= 3; }))
-      mesh.set_cell(FaceId(i), CellId(1));
-  }
-  const SizeField size = shapes::unit_size();
-  Context context;
-  merge_to_quads(mesh, size, {.left_out = left_out}, {}, context);
-  EXPECT_EQ(defect(mesh), "");
-  EXPECT_EQ(mesh.topo().face_count(), 12u + 24);
-  EXPECT_EQ(shapes::n_triangles(mesh), 24u);
-}
-
 TEST(QMorph, FrontThatSpinsIsStopped) {
   WorkMesh mesh = shapes::triangulated_grid(6, 4);
   const SizeField size = shapes::unit_size();

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cell_parts.hpp"
+#include "domain/cell_set.hpp"
+#include "domain/size_field.hpp"
+#include "fallback.hpp"
+#include "quadline/context.hpp"
+#include "quadline/options.hpp"
+#include "stage_clock.hpp"
+
+namespace quadline {
+
+/// Meshes the cells of a domain, each by itself from the nodes on its curves on, several at once where the context can.
+///
+/// An InternalError in a cell is trouble of that cell alone: the stages leave it out from there on.
+class CellMesher {
+ public:
+  /// Gets the mesh of all cells that are not in trouble; may be empty.
+  using Observe = std::function<void(std::string_view name, const WorkMesh& mesh)>;
+
+  /// What is passed must outlive this. @param size  sizes of the plan.
+  CellMesher(const Domain& domain, const SizeField& size, const FallbackPlan& plan, const Options& options,
+             const Context& context, StageClock& clock, Observe observe);
+
+  // In this order; each runs one stage or more of all cells.
+  void place_nodes();
+  void make_triangles();
+  void make_quads();     ///< by Q-Morph; halved cells by pairing and halving
+  void clean_up();       ///< all but the halved cells
+  void try_triangles();  ///< other ones, where those of a cell leave something to wish for, or its quads failed
+  /// Cleans the halved cells up, from the quads of `make_quads` on: without those that `freeze` freezes.
+  void clean_up_halved(const std::function<void(WorkMesh&)>& freeze);
+
+  /// Of cells that are meshed by halving.
+  const CellSet& halved() const { return halved_; }
+  /// Cells where a stage failed, in their order.
+  std::vector<Trouble> troubles() const;
+  /// The mesh of all cells that are not in trouble.
+  WorkMesh mesh() const { return joined(parts_); }
+
+ private:
+  template <class Work>
+  void run(const char* stage, Work work);
+  void note(CellId c, const InternalError& error);
+  void observe(std::string_view name) const;
+  bool is_halved(CellId c) const { return halved_.contains(c); }
+  Triangles triangles_of(CellId c) const;
+  IdVector<CellId, double> weights() const;
+  void merge();
+  void halve();
+  WorkMesh with_triangles(CellId c, Triangles triangles, const SizeField& size, Context& context) const;
+  void try_triangles_of(CellId c, Context& context);
+
+  const Domain& domain_;
+  const SizeField& size_;
+  const FallbackPlan& plan_;
+  const Options& options_;
+  const Context& context_;
+  StageClock& clock_;
+  const Observe observe_;
+  CellSet halved_;
+  SizeField double_size_;               ///< for the halved cells
+  std::vector<SizeField> other_sizes_;  ///< for other triangles
+  WorkMesh nodes_, halved_nodes_;       ///< of whole and of halved cells
+  std::optional<CellNodes> of_whole_, of_halved_;
+  IdVector<CellId, WorkMesh> parts_;
+  IdVector<CellId, WorkMesh> raw_;  ///< of the halved cells, before clean-up
+  IdVector<CellId, std::optional<Trouble>> troubles_;
+};
+
+}  // namespace quadline
