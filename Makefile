@@ -37,6 +37,9 @@ test: setup
 	@$(MAKE) --no-print-directory build
 	@test -f build/asan/build.ninja || cmake --preset asan > /dev/null
 	@cmake --build --preset asan
+	@test -f build/tsan/build.ninja || cmake --preset tsan > /dev/null
+	@cmake --build --preset tsan
+	@ctest --preset tsan
 	@ctest --preset asan -j2
 
 paper: setup

@@ -169,6 +169,12 @@ Triangles CellMesher::triangles_of(CellId c) const {
   return is_front != plan_.rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
 }
 
+WorkMesh CellMesher::cleaned_mesh() {
+  WorkMesh whole = mesh();
+  if (halved_.empty()) parts_.clear();
+  return whole;
+}
+
 std::vector<Trouble> CellMesher::troubles() const {
   std::vector<Trouble> found;
   for (const std::optional<Trouble>& trouble : troubles_)

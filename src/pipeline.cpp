@@ -74,7 +74,7 @@ class Pipeline {
       };
       if (!cells.halved().empty()) cells.clean_up_halved(freeze);
       if (!cells.troubles().empty()) break;
-      mesh = cells.mesh();
+      mesh = cells.cleaned_mesh();
       if (context_.on_snapshot) context_.on_snapshot("clean-up", flatten(mesh, domain_));
       freeze(mesh);
       clock_.run("smooth", [&] { smooth(mesh, domain_, size, {.criteria = options_.criteria}, context_); });
