@@ -5,7 +5,7 @@
 
 #include "cell_cost.hpp"
 #include "cell_loop.hpp"
-#include "stages/cleanup/cleanup.hpp"
+#include "slivers.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/field_points/field_points.hpp"
 #include "stages/halve/halve.hpp"
@@ -38,17 +38,20 @@ Context part_of_tries(Context& context, std::size_t i) {
 }  // namespace
 
 CellMesher::CellMesher(const Domain& domain, const SizeField& size, const FallbackPlan& plan, const Options& options,
-                       const Context& context, StageClock& clock, Observe observe)
+                       CellCache& cache, const Context& context, StageClock& clock, Observe observe)
     : domain_(domain),
       size_(size),
       plan_(plan),
       options_(options),
       context_(context),
       clock_(clock),
+      cache_(cache),
       observe_(std::move(observe)),
       parts_(domain.cells.count()),
       raw_(domain.cells.count()),
-      troubles_(domain.cells.count()) {
+      troubles_(domain.cells.count()),
+      starts_(domain.cells.count()),
+      is_done_(domain.cells.count(), 0) {
   for (std::size_t i = 0; i < domain.cells.count(); ++i)
     if (options.method != Method::QMorph || plan.rung(CellId(i)).is_halved) halved_.insert(CellId(i));
   if (!halved_.empty()) double_size_ = size.scaled(2);
@@ -113,16 +116,20 @@ void CellMesher::halve() {
 
 void CellMesher::clean_up() {
   run("clean-up", [&](CellId c, Context& context) {
-    if (!is_halved(c)) quadline::clean_up(parts_[c], size_, context);
+    if (take_from_cache(c)) return;
+    freeze_slivers(parts_[c], halved_);
+    quadline::clean_up(parts_[c], size_, templates_, context);
+    parts_[c].thaw();
+    keep_in_cache(c);
   });
 }
 
-void CellMesher::clean_up_halved(const std::function<void(WorkMesh&)>& freeze) {
+void CellMesher::clean_up_again(const CellSet& cells, const std::function<void(WorkMesh&)>& freeze) {
   run("clean-up", [&](CellId c, Context& context) {
-    if (!is_halved(c)) return;
+    if (!cells.contains(c)) return;
     parts_[c] = raw_[c];
     freeze(parts_[c]);
-    quadline::clean_up(parts_[c], size_, context);
+    quadline::clean_up(parts_[c], size_, templates_, context);
     parts_[c].thaw();
   });
 }
@@ -133,10 +140,25 @@ void CellMesher::try_triangles() {
   for (const OtherTriangles& other : kOthers) other_sizes_.push_back(size_.scaled(other.spacing));
   clock_.run("other triangles", [&] {
     for_each_cell("other triangles", weights(), context_, [&](CellId c, Context& context) {
-      if (is_halved(c) || plan_.is_changed(c)) return;
+      if (is_halved(c) || is_done_[c] || plan_.is_changed(c)) return;
       if (troubles_[c] || is_improvable(parts_[c])) try_triangles_of(c, context);
+      if (!troubles_[c]) keep_in_cache(c);
     });
   });
+}
+
+bool CellMesher::take_from_cache(CellId c) {
+  starts_[c] = fingerprint(parts_[c]);
+  const WorkMesh* known = cache_.find(c, starts_[c]);
+  if (!known) return false;
+  parts_[c] = *known;
+  is_done_[c] = 1;
+  return true;
+}
+
+// Most models need one attempt, and no memory for a second.
+void CellMesher::keep_in_cache(CellId c) {
+  if (plan_.is_changed()) cache_.keep(c, starts_[c], parts_[c]);
 }
 
 void CellMesher::try_triangles_of(CellId c, Context& context) {
@@ -145,7 +167,7 @@ void CellMesher::try_triangles_of(CellId c, Context& context) {
     try {
       WorkMesh other = with_triangles(c, kOthers[i].triangles, other_sizes_[i], part);
       merge_to_quads(other, size_, {.lines = options_.lines}, {}, part);
-      quadline::clean_up(other, size_, part);
+      quadline::clean_up(other, size_, templates_, part);
       if (!troubles_[c] && cell_cost(other) >= cell_cost(parts_[c])) continue;
       parts_[c] = std::move(other);
       troubles_[c].reset();

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "cell_cache.hpp"
 #include "cell_parts.hpp"
 #include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
@@ -13,6 +15,7 @@
 #include "quadline/context.hpp"
 #include "quadline/options.hpp"
 #include "stage_clock.hpp"
+#include "stages/cleanup/cleanup.hpp"
 
 namespace quadline {
 
@@ -24,18 +27,20 @@ class CellMesher {
   /// Gets the mesh of all cells that are not in trouble; may be empty.
   using Observe = std::function<void(std::string_view name, const WorkMesh& mesh)>;
 
-  /// What is passed must outlive this. @param size  sizes of the plan.
+  /// What is passed must outlive this.
+  /// @param size   sizes of the plan.
+  /// @param cache  of earlier attempts; gets the cells of this one, unless it is the first.
   CellMesher(const Domain& domain, const SizeField& size, const FallbackPlan& plan, const Options& options,
-             const Context& context, StageClock& clock, Observe observe);
+             CellCache& cache, const Context& context, StageClock& clock, Observe observe);
 
   // In this order; each runs one stage or more of all cells.
   void place_nodes();
   void make_triangles();
-  void make_quads();     ///< by Q-Morph; halved cells by pairing and halving
-  void clean_up();       ///< all but the halved cells
+  void make_quads();  ///< by Q-Morph; halved cells by pairing and halving
+  void clean_up();
   void try_triangles();  ///< other ones, where those of a cell leave something to wish for, or its quads failed
-  /// Cleans the halved cells up, from the quads of `make_quads` on: without those that `freeze` freezes.
-  void clean_up_halved(const std::function<void(WorkMesh&)>& freeze);
+  /// Cleans some of the halved cells up anew, from the quads of `make_quads` on, without those that `freeze` freezes.
+  void clean_up_again(const CellSet& cells, const std::function<void(WorkMesh&)>& freeze);
 
   /// Of cells that are meshed by halving.
   const CellSet& halved() const { return halved_; }
@@ -56,6 +61,8 @@ class CellMesher {
   IdVector<CellId, double> weights() const;
   void merge();
   void halve();
+  bool take_from_cache(CellId c);
+  void keep_in_cache(CellId c);
   WorkMesh with_triangles(CellId c, Triangles triangles, const SizeField& size, Context& context) const;
   void try_triangles_of(CellId c, Context& context);
 
@@ -65,7 +72,9 @@ class CellMesher {
   const Options& options_;
   const Context& context_;
   StageClock& clock_;
+  CellCache& cache_;
   const Observe observe_;
+  const cleanup::TemplateTable templates_;
   CellSet halved_;
   SizeField double_size_;               ///< for the halved cells
   std::vector<SizeField> other_sizes_;  ///< for other triangles
@@ -74,6 +83,8 @@ class CellMesher {
   IdVector<CellId, WorkMesh> parts_;
   IdVector<CellId, WorkMesh> raw_;  ///< of the halved cells, before clean-up
   IdVector<CellId, std::optional<Trouble>> troubles_;
+  IdVector<CellId, std::uint64_t> starts_;  ///< fingerprints before clean-up
+  IdVector<CellId, std::uint8_t> is_done_;  ///< taken from the cache
 };
 
 }  // namespace quadline

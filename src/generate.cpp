@@ -23,13 +23,14 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   report.corners = corners_of(domain);
 
   FallbackPlan plan(domain);
-  Attempt last = attempt_mesh(plan, options, report, context);
+  CellCache cache(domain.cells.count());
+  Attempt last = attempt_mesh(plan, options, cache, report, context);
   MeshResult first;
   if (last.result.failure) first = last.result;
   bool is_limited = false;
   while (last.result.failure && plan.advance(last.troubles)) {
     const bool is_expected = expected_quads(plan.domain(), options) > options.max_quads;
-    Attempt next = is_expected ? Attempt{} : attempt_mesh(plan, options, report, context);
+    Attempt next = is_expected ? Attempt{} : attempt_mesh(plan, options, cache, report, context);
     if (is_expected || static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) {
       is_limited = true;
       continue;

@@ -24,25 +24,24 @@ constexpr std::array<double, 4> kReaches{0, 4, 16, 1e9};
 // One way through the stages, from the size field to the verifier.
 class Pipeline {
  public:
-  Pipeline(const FallbackPlan& plan, const Options& options, Report& report, Context& context)
+  Pipeline(const FallbackPlan& plan, const Options& options, CellCache& cache, Report& report, Context& context)
       : domain_(plan.domain()),
         plan_(plan),
         options_(options),
+        cache_(cache),
         report_(report),
         context_(context),
         clock_(report, context) {}
 
   Attempt run() {
     const SizeField size = clock_.run("sizing", [&] { return make_size_field(domain_, options_, context_); });
-    CellMesher cells(domain_, size, plan_, options_, context_, clock_, observer());
+    CellMesher cells(domain_, size, plan_, options_, cache_, context_, clock_, observer());
     cells.place_nodes();
     cells.make_triangles();
     cells.make_quads();
     const std::size_t n_given = note_raw(cells);
-    if (options_.method == Method::QMorph) {
-      cells.clean_up();
-      cells.try_triangles();
-    }
+    cells.clean_up();
+    if (options_.method == Method::QMorph) cells.try_triangles();
     const WorkMesh mesh = finished(cells, size, n_given);
     if (std::vector<Trouble> troubles = cells.troubles(); !troubles.empty()) return failed(std::move(troubles));
     return judged(mesh, size);
@@ -66,13 +65,14 @@ class Pipeline {
   // sound already, which freezing does not mend.
   WorkMesh finished(CellMesher& cells, const SizeField& size, std::size_t n_given) {
     std::vector<Point> spoiled;
+    CellSet to_clean;  // those with spoiled quads
     WorkMesh mesh;
     for (const double reach : kReaches) {
       const auto freeze = [&](WorkMesh& some) {
         freeze_slivers(some, cells.halved());
         freeze_near(some, cells.halved(), spoiled, reach, size);
       };
-      if (!cells.halved().empty()) cells.clean_up_halved(freeze);
+      if (!spoiled.empty()) cells.clean_up_again(to_clean, freeze);
       if (!cells.troubles().empty()) break;
       mesh = cells.cleaned_mesh();
       if (context_.on_snapshot) context_.on_snapshot("clean-up", flatten(mesh, domain_));
@@ -81,7 +81,11 @@ class Pipeline {
       mesh.thaw();
       const std::vector<FaceId> faces = unsound_of(mesh, cells.halved());
       if (faces.size() <= n_given) break;
-      for (const FaceId f : faces) spoiled.push_back(centre_of(mesh, f));
+      to_clean = {};
+      for (const FaceId f : faces) {
+        spoiled.push_back(centre_of(mesh, f));
+        to_clean.insert(mesh.cell(f));
+      }
     }
     return mesh;
   }
@@ -121,6 +125,7 @@ class Pipeline {
   const Domain domain_;  // with the sizes of the plan
   const FallbackPlan& plan_;
   const Options& options_;
+  CellCache& cache_;
   Report& report_;
   Context& context_;
   StageClock clock_;
@@ -128,9 +133,10 @@ class Pipeline {
 
 }  // namespace
 
-Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, Report& report, Context& context) {
+Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache& cache, Report& report,
+                     Context& context) {
   try {
-    return Pipeline(plan, options, report, context).run();
+    return Pipeline(plan, options, cache, report, context).run();
   } catch (const InternalError& error) {
     Attempt attempt;
     attempt.result.failure = Failure{"internal", error.what(), error.where().point.value_or(Point{})};

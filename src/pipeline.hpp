@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "cell_cache.hpp"
 #include "domain/domain.hpp"
 #include "fallback.hpp"
 #include "quadline/context.hpp"
@@ -19,8 +20,10 @@ struct Attempt {
 /// Once through the stages, from the size field to the verifier.
 ///
 /// @param plan    how each cell is meshed.
+/// @param cache   of earlier attempts, of as many cells as the domain has.
 /// @param report  gets the times and the qualities.
 /// @throws Cancelled when `context` asks for it; other errors of the stages are failures of the attempt.
-Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, Report& report, Context& context);
+Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache& cache, Report& report,
+                     Context& context);
 
 }  // namespace quadline

@@ -28,13 +28,14 @@ class Fallback : public testing::Test {
   Context context_;
   Domain domain_ = arrange(two_cells(), {}, context_);
   FallbackPlan plan_{domain_};
+  CellCache cache_{domain_.cells.count()};
   Report report_;
 
   CellId left() const { return troubles_at(domain_, Point{0.5, 0.5}, "")[0].cell; }
   void take_left_to(std::size_t rung) {
     for (std::size_t i = 0; i < rung; ++i) ASSERT_TRUE(plan_.advance({{left(), "it looks bad", {2, 3}}}));
   }
-  Attempt attempt(const Options& options = {}) { return attempt_mesh(plan_, options, report_, context_); }
+  Attempt attempt(const Options& options = {}) { return attempt_mesh(plan_, options, cache_, report_, context_); }
   static std::size_t n_right(const Mesh& mesh) {
     std::size_t n = 0;
     for (const auto& q : mesh.quads) n += mesh.points[q[0]].x + mesh.points[q[2]].x > 8;
@@ -114,6 +115,16 @@ TEST_F(Fallback, OnlyTheTroubledCellIsHalved) {
   const double after = static_cast<double>(right_of(irregular_right()));
   EXPECT_GT(halved_left, 0u);
   EXPECT_NEAR(after / static_cast<double>(before), 1, 0.2);
+}
+
+TEST_F(Fallback, CellsThatBeginTheSameAreTakenFromTheCache) {
+  take_left_to(1);
+  const Mesh a = attempt().result.mesh;  // fills the cache
+  const CellId right = troubles_at(domain_, Point{7, 3}, "")[0].cell;
+  EXPECT_EQ(right.value + left().value, 1u);
+  const Mesh b = attempt().result.mesh;  // both cells come from it
+  EXPECT_EQ(a.quads, b.quads);
+  EXPECT_EQ(a.points, b.points);
 }
 
 TEST_F(Fallback, SameBytesTwice) {

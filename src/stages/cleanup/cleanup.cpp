@@ -10,7 +10,6 @@
 #include "base/step_limit.hpp"
 #include "stages/cleanup/grow_patch.hpp"
 #include "stages/cleanup/shapes.hpp"
-#include "stages/cleanup/templates.hpp"
 #include "stages/cleanup/trial.hpp"
 #include "stages/cleanup/work_list.hpp"
 
@@ -40,7 +39,7 @@ constexpr double kBetaWorth = 0.5;  // of the sum of beta
 
 class CleanUp {
  public:
-  CleanUp(WorkMesh& mesh, const SizeField& field);
+  CleanUp(WorkMesh& mesh, const SizeField& field, const TemplateTable& table);
   void run(Context& context);
 
  private:
@@ -73,7 +72,7 @@ class CleanUp {
   CavityFinder finder_;
   PatchGrower grower_;
   Trial trial_;
-  TemplateTable table_;
+  const TemplateTable& table_;
   WorkList work_;
   Cavity cavity_;
   Replacement replacement_;
@@ -85,8 +84,13 @@ class CleanUp {
   std::size_t n_edits_ = 0;
 };
 
-CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field)
-    : mesh_(mesh), sectors_(mesh), finder_(mesh, sectors_), grower_(mesh, sectors_, size_), trial_(mesh, size_) {
+CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field, const TemplateTable& table)
+    : mesh_(mesh),
+      sectors_(mesh),
+      finder_(mesh, sectors_),
+      grower_(mesh, sectors_, size_),
+      trial_(mesh, size_),
+      table_(table) {
   const Topology& topo = mesh.topo();
   size_.grow(topo.node_capacity());
   for (std::size_t i = 0; i < topo.node_capacity(); ++i)
@@ -255,6 +259,8 @@ void CleanUp::commit() {
 }  // namespace
 }  // namespace cleanup
 
-void clean_up(WorkMesh& mesh, const SizeField& size, Context& context) { cleanup::CleanUp(mesh, size).run(context); }
+void clean_up(WorkMesh& mesh, const SizeField& size, const cleanup::TemplateTable& templates, Context& context) {
+  cleanup::CleanUp(mesh, size, templates).run(context);
+}
 
 }  // namespace quadline

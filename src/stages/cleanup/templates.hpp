@@ -18,7 +18,7 @@ struct Template {
 /// The quadrangulations of small disks with few inner nodes, of three to five quads each; made by recursion, found by
 /// what they do to the rim.
 ///
-/// Source: the cavities of [Reberol2021]; we differ: made at start in milliseconds instead of read from a file.
+/// Source: the cavities of [Reberol2021]; we differ: made at start in a millisecond instead of read from a file.
 class TemplateTable {
  public:
   static constexpr int kMaxRim = 10;

@@ -26,7 +26,7 @@ Cleaned cleaned(WorkMesh mesh, double h = 1) {
   const auto constraints = constraint_edges(mesh);
   const double area_before = area(mesh);
   Context context;
-  clean_up(mesh, constant_size(h), context);
+  clean_up(mesh, constant_size(h), {}, context);
   EXPECT_EQ(constraint_edges(mesh), constraints);
   EXPECT_NEAR(area(mesh), area_before, 1e-9 * area_before);
   result.defect = defect(mesh);
@@ -201,13 +201,13 @@ TEST(CleanUp, MendsAGridWithTurnedEdges) {
 TEST(CleanUp, IsTheSameEveryTimeAndSettles) {
   WorkMesh first = turned_grid(20, 20, 1, 0.06, 7, true), second = first;
   Context context;
-  clean_up(first, constant_size(1), context);
-  clean_up(second, constant_size(1), context);
+  clean_up(first, constant_size(1), {}, context);
+  clean_up(second, constant_size(1), {}, context);
   ASSERT_EQ(first.topo().node_capacity(), second.topo().node_capacity());
   for (std::size_t i = 0; i < first.topo().node_capacity(); ++i)
     EXPECT_EQ(first.point(NodeId(i)), second.point(NodeId(i)));
   const std::size_t n_irregular = figures(first).n_irregular;
-  clean_up(first, constant_size(1), context);
+  clean_up(first, constant_size(1), {}, context);
   EXPECT_LE(figures(first).n_irregular, n_irregular);
 }
 
@@ -215,7 +215,7 @@ TEST(CleanUp, StopsWhenAsked) {
   WorkMesh mesh = turned_grid(10, 10, 1, 0.1, 1, false);
   Context context;
   context.is_cancelled = [] { return true; };
-  EXPECT_THROW(clean_up(mesh, constant_size(1), context), Cancelled);
+  EXPECT_THROW(clean_up(mesh, constant_size(1), {}, context), Cancelled);
 }
 
 }  // namespace
