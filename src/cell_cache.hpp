@@ -11,7 +11,8 @@ namespace quadline {
 std::uint64_t fingerprint(const WorkMesh& mesh);
 
 /// Cells as clean-up left them in an earlier attempt. Most cells begin the next one with the same quads, and need not
-/// go through the slow steps again. Different cells may be used at the same time.
+/// go through the slow steps again; sizes that a fall-back beside a cell has changed a little inside it make no
+/// difference then. Different cells may be used at the same time.
 class CellCache {
  public:
   explicit CellCache(std::size_t n_cells) : entries_(n_cells) {}

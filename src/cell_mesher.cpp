@@ -69,11 +69,7 @@ void CellMesher::place_nodes() {
 }
 
 void CellMesher::make_triangles() {
-  run("triangulate", [&](CellId c, Context& context) {
-    parts_[c] = (is_halved(c) ? *of_halved_ : *of_whole_).of(c);
-    triangulate(parts_[c], domain_, context);
-    parts_[c].keep_cell(c);
-  });
+  run("triangulate", [&](CellId c, Context& context) { parts_[c] = triangulated(c, context); });
   observe("triangulation");
   run("field points", [&](CellId c, Context& context) {
     insert_field_points(parts_[c], is_halved(c) ? double_size_ : size_, triangles_of(c), context);
@@ -147,7 +143,9 @@ void CellMesher::try_triangles() {
   });
 }
 
+// Most models need one attempt, and no memory for a second: the first fills no cache.
 bool CellMesher::take_from_cache(CellId c) {
+  if (plan_.is_first()) return false;
   starts_[c] = fingerprint(parts_[c]);
   const WorkMesh* known = cache_.find(c, starts_[c]);
   if (!known) return false;
@@ -156,16 +154,16 @@ bool CellMesher::take_from_cache(CellId c) {
   return true;
 }
 
-// Most models need one attempt, and no memory for a second.
 void CellMesher::keep_in_cache(CellId c) {
-  if (plan_.is_changed()) cache_.keep(c, starts_[c], parts_[c]);
+  if (!plan_.is_first()) cache_.keep(c, starts_[c], parts_[c]);
 }
 
 void CellMesher::try_triangles_of(CellId c, Context& context) {
   for (std::size_t i = 0; i < kOthers.size(); ++i) {
     Context part = part_of_tries(context, i);
     try {
-      WorkMesh other = with_triangles(c, kOthers[i].triangles, other_sizes_[i], part);
+      WorkMesh other = triangulated(c, part);
+      insert_field_points(other, other_sizes_[i], kOthers[i].triangles, part);
       merge_to_quads(other, size_, {.lines = options_.lines}, {}, part);
       quadline::clean_up(other, size_, templates_, part);
       if (!troubles_[c] && cell_cost(other) >= cell_cost(parts_[c])) continue;
@@ -178,11 +176,10 @@ void CellMesher::try_triangles_of(CellId c, Context& context) {
   }
 }
 
-WorkMesh CellMesher::with_triangles(CellId c, Triangles triangles, const SizeField& size, Context& context) const {
-  WorkMesh part = of_whole_->of(c);
+WorkMesh CellMesher::triangulated(CellId c, Context& context) const {
+  WorkMesh part = (is_halved(c) ? *of_halved_ : *of_whole_).of(c);
   triangulate(part, domain_, context);
   part.keep_cell(c);
-  insert_field_points(part, size, triangles, context);
   return part;
 }
 

@@ -63,7 +63,7 @@ class CellMesher {
   void halve();
   bool take_from_cache(CellId c);
   void keep_in_cache(CellId c);
-  WorkMesh with_triangles(CellId c, Triangles triangles, const SizeField& size, Context& context) const;
+  WorkMesh triangulated(CellId c, Context& context) const;
   void try_triangles_of(CellId c, Context& context);
 
   const Domain& domain_;

@@ -51,7 +51,7 @@ class FallbackPlan {
 
   const Rung& rung(CellId c) const { return kRungs[rung_[c]]; }
   bool is_changed(CellId c) const { return rung_[c] > 0; }  ///< not meshed as asked
-  bool is_changed() const { return attempts_ > 1; }
+  bool is_first() const { return attempts_ == 1; }          ///< all cells as asked
   /// The domain with the sizes of the plan.
   Domain domain() const;
   /// A finding for each cell that was not meshed as asked, at a place inside it.

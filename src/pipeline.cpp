@@ -61,8 +61,8 @@ class Pipeline {
   }
 
   // Smooths the cells together. Halving leaves sound quads where the triangles were, however thin. Where clean-up and
-  // smoothing spoil them, more and more of what is round the place stays as it was. @param n_given  quads that are not
-  // sound already, which freezing does not mend.
+  // smoothing spoil them, more and more of what is round the place stays as it was, until no more than the `n_given`
+  // quads are left that were not sound before either.
   WorkMesh finished(CellMesher& cells, const SizeField& size, std::size_t n_given) {
     std::vector<Point> spoiled;
     CellSet to_clean;  // those with spoiled quads

@@ -8,18 +8,14 @@
 #include "domain/size_field.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/triangulate/triangulate.hpp"
+#include "tests/unit/two_cells.hpp"
 
 namespace quadline {
 namespace {
 
-// A plate cut by a line from side to side, with a hole and a lone point on the left and an open line on the right.
+// A lone point in the left one of two cells.
 Model plate() {
-  Model model;
-  model.size = 0.5;
-  model.outer.push_back({.items = {{{0, 0}}, {{8, 0}}, {{8, 4}}, {{0, 4}}}});
-  model.holes.push_back({.circle = Circle{{2, 2}, 0.8}});
-  model.lines.push_back({.name = "cut", .path = {.items = {{{4, 0}}, {{4, 4}}}}});
-  model.lines.push_back({.name = "stiffener", .path = {.items = {{{5, 1}}, {{7, 2.5}}}}});
+  Model model = shapes::two_cells();
   model.points.push_back({.name = "load", .at = {3.3, 3.3}});
   return model;
 }

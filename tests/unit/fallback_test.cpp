@@ -8,25 +8,15 @@
 
 #include "domain/arrange.hpp"
 #include "pipeline.hpp"
+#include "tests/unit/two_cells.hpp"
 
 namespace quadline {
 namespace {
 
-// A plate of 8 x 4, cut by a line at x = 4 into two cells; the left one holds a circular hole, the right one a line.
-Model two_cells() {
-  Model model;
-  model.size = 0.5;
-  model.outer.push_back({.items = {{{0, 0}}, {{8, 0}}, {{8, 4}}, {{0, 4}}}});
-  model.holes.push_back({.circle = Circle{{2, 2}, 0.8}});
-  model.lines.push_back({.name = "cut", .path = {.items = {{{4, 0}}, {{4, 4}}}}});
-  model.lines.push_back({.name = "stiffener", .path = {.items = {{{5, 1}}, {{7, 2.5}}}}});
-  return model;
-}
-
 class Fallback : public testing::Test {
  protected:
   Context context_;
-  Domain domain_ = arrange(two_cells(), {}, context_);
+  Domain domain_ = arrange(shapes::two_cells(), {}, context_);
   FallbackPlan plan_{domain_};
   CellCache cache_{domain_.cells.count()};
   Report report_;
@@ -90,41 +80,35 @@ TEST_F(Fallback, EachCellClimbsItsOwnLadder) {
   EXPECT_TRUE(plan_.is_changed(right));
 }
 
-// Nodes that only Q-Morph's cell has, away from the line between the two.
 TEST_F(Fallback, OnlyTheTroubledCellIsHalved) {
-  const auto right_of = [](const Mesh& mesh) {
-    std::size_t n = 0;
-    for (const Point p : mesh.points) n += p.x > 6;
-    return n;
-  };
-  const auto irregular_right = [this] {
-    const Attempt got = attempt({.method = Method::QMorph});
-    EXPECT_FALSE(got.result.failure);
-    return got.result.mesh;
-  };
-  const std::size_t before = right_of(irregular_right());
+  const std::size_t n_before = n_right(attempt().result.mesh);
   take_left_to(kFirstHalving);
-  std::size_t halved_left = 0;
+  std::size_t n_triangles = 0;
   context_.on_snapshot = [&](std::string_view name, const Mesh& mesh) {
     if (name != "before-halving") return;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      ++halved_left;
-      EXPECT_LT(mesh.points[mesh.triangles[i][0]].x, 4 + 1e-9);
-    }
+    n_triangles = mesh.triangles.size();
+    for (const auto& t : mesh.triangles)
+      for (const NodeIndex v : t) EXPECT_LE(mesh.points[v].x, 4);
   };
-  const double after = static_cast<double>(right_of(irregular_right()));
-  EXPECT_GT(halved_left, 0u);
-  EXPECT_NEAR(after / static_cast<double>(before), 1, 0.2);
+  const Attempt got = attempt();
+  ASSERT_FALSE(got.result.failure);
+  EXPECT_GT(n_triangles, 0u);
+  EXPECT_NEAR(static_cast<double>(n_right(got.result.mesh)) / static_cast<double>(n_before), 1, 0.2);
 }
 
-TEST_F(Fallback, CellsThatBeginTheSameAreTakenFromTheCache) {
-  take_left_to(1);
-  const Mesh a = attempt().result.mesh;  // fills the cache
-  const CellId right = troubles_at(domain_, Point{7, 3}, "")[0].cell;
-  EXPECT_EQ(right.value + left().value, 1u);
-  const Mesh b = attempt().result.mesh;  // both cells come from it
-  EXPECT_EQ(a.quads, b.quads);
-  EXPECT_EQ(a.points, b.points);
+// On the rungs that leave the sizes as they are.
+TEST_F(Fallback, CellsFromTheCacheAreThoseThatWouldBeMade) {
+  attempt();  // keeps nothing
+  for (const std::size_t climbs : {1u, 3u}) {
+    take_left_to(climbs);
+    const Mesh filled = attempt().result.mesh, taken = attempt().result.mesh;
+    cache_ = CellCache(domain_.cells.count());
+    const Mesh made = attempt().result.mesh;
+    for (const Mesh& mesh : {filled, taken}) {
+      EXPECT_EQ(mesh.quads, made.quads);
+      EXPECT_EQ(mesh.points, made.points);
+    }
+  }
 }
 
 TEST_F(Fallback, SameBytesTwice) {
