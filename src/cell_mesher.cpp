@@ -52,8 +52,11 @@ CellMesher::CellMesher(const Domain& domain, const SizeField& size, const Fallba
       troubles_(domain.cells.count()),
       starts_(domain.cells.count()),
       is_done_(domain.cells.count(), 0) {
-  for (std::size_t i = 0; i < domain.cells.count(); ++i)
-    if (options.method != Method::QMorph || plan.rung(CellId(i)).is_halved) halved_.insert(CellId(i));
+  for (std::size_t i = 0; i < domain.cells.count(); ++i) {
+    const CellId c(i);
+    if (plan.rung(c).is_halved) fallen_back_.insert(c);
+    if (plan.rung(c).is_halved || options.method != Method::QMorph) halved_.insert(c);
+  }
   if (!halved_.empty()) double_size_ = size.scaled(2);
 }
 
@@ -106,16 +109,15 @@ void CellMesher::halve() {
   run("halve", [&](CellId c, Context& context) {
     if (!is_halved(c)) return;
     quadline::halve(parts_[c], domain_, context);
-    raw_[c] = parts_[c];
+    if (fallen_back_.contains(c)) raw_[c] = parts_[c];
   });
 }
 
 void CellMesher::clean_up() {
   run("clean-up", [&](CellId c, Context& context) {
     if (take_from_cache(c)) return;
-    freeze_slivers(parts_[c], halved_);
+    if (fallen_back_.contains(c)) freeze_slivers(parts_[c]);
     quadline::clean_up(parts_[c], size_, templates_, context);
-    parts_[c].thaw();
     keep_in_cache(c);
   });
 }
@@ -126,7 +128,6 @@ void CellMesher::clean_up_again(const CellSet& cells, const std::function<void(W
     parts_[c] = raw_[c];
     freeze(parts_[c]);
     quadline::clean_up(parts_[c], size_, templates_, context);
-    parts_[c].thaw();
   });
 }
 
@@ -190,7 +191,7 @@ Triangles CellMesher::triangles_of(CellId c) const {
 
 WorkMesh CellMesher::cleaned_mesh() {
   WorkMesh whole = mesh();
-  if (halved_.empty()) parts_.clear();
+  if (fallen_back_.empty()) parts_.clear();
   return whole;
 }
 

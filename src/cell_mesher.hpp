@@ -36,19 +36,20 @@ class CellMesher {
   // In this order; each runs one stage or more of all cells.
   void place_nodes();
   void make_triangles();
-  void make_quads();  ///< by Q-Morph; halved cells by pairing and halving
-  void clean_up();
+  void make_quads();     ///< by Q-Morph; halved cells by pairing and halving
+  void clean_up();       ///< thin quads of `fallen_back` cells stay, frozen from there on
   void try_triangles();  ///< other ones, where those of a cell leave something to wish for, or its quads failed
-  /// Cleans some of the halved cells up anew, from the quads of `make_quads` on, without those that `freeze` freezes.
+  /// Cleans some of the `fallen_back` cells up anew, from the quads of `make_quads` on, without those that `freeze`
+  /// freezes.
   void clean_up_again(const CellSet& cells, const std::function<void(WorkMesh&)>& freeze);
 
-  /// Of cells that are meshed by halving.
-  const CellSet& halved() const { return halved_; }
+  /// Cells that are halved as a fall-back.
+  const CellSet& fallen_back() const { return fallen_back_; }
   /// Cells where a stage failed, in their order.
   std::vector<Trouble> troubles() const;
   /// The mesh of all cells that are not in trouble.
   WorkMesh mesh() const { return joined(parts_); }
-  /// The same, for the last time where no cell is halved: the parts' memory goes.
+  /// The same, for the last time where no cell has fallen back: the parts' memory goes.
   WorkMesh cleaned_mesh();
 
  private:
@@ -75,13 +76,13 @@ class CellMesher {
   CellCache& cache_;
   const Observe observe_;
   const cleanup::TemplateTable templates_;
-  CellSet halved_;
+  CellSet halved_, fallen_back_;        ///< the one by the method or as a fall-back, the other as a fall-back alone
   SizeField double_size_;               ///< for the halved cells
   std::vector<SizeField> other_sizes_;  ///< for other triangles
   WorkMesh nodes_, halved_nodes_;       ///< of whole and of halved cells
   std::optional<CellNodes> of_whole_, of_halved_;
   IdVector<CellId, WorkMesh> parts_;
-  IdVector<CellId, WorkMesh> raw_;  ///< of the halved cells, before clean-up
+  IdVector<CellId, WorkMesh> raw_;  ///< of the cells that have fallen back, before clean-up
   IdVector<CellId, std::optional<Trouble>> troubles_;
   IdVector<CellId, std::uint64_t> starts_;  ///< fingerprints before clean-up
   IdVector<CellId, std::uint8_t> is_done_;  ///< taken from the cache

@@ -37,6 +37,7 @@ class Joiner {
     mesh.build(std::move(points_), std::move(tags_), faces_);
     for (std::size_t i = 0; i < cells_.size(); ++i) mesh.set_cell(FaceId(i), cells_[i]);
     for (const WorkMesh& part : parts_) add_constraints(part, mesh);
+    for (const FaceId f : frozen_) mesh.freeze(f);
     mesh.sort_in_space();
     return mesh;
   }
@@ -83,6 +84,7 @@ class Joiner {
     for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
       const FaceId f(i);
       if (!topo.is_live(f) || !part.cell(f).valid()) continue;
+      if (part.is_frozen(f)) frozen_.emplace_back(faces_.size());
       Polygon p = topo.polygon(f);
       for (int k = 0; k < p.n; ++k) p.nodes[k] = number[p.nodes[k]];
       faces_.push_back(p);
@@ -114,6 +116,7 @@ class Joiner {
   std::vector<NodeTag> tags_;
   std::vector<Polygon> faces_;
   std::vector<CellId> cells_;
+  std::vector<FaceId> frozen_;
 };
 
 }  // namespace

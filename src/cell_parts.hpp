@@ -26,7 +26,7 @@ class CellNodes {
   IdVector<CellId, std::vector<std::uint32_t>> segments_;  ///< indices, of each cell
 };
 
-/// Puts meshes of single cells together at the nodes that they share on curves.
+/// Puts meshes of single cells together at the nodes that they share on curves. What is frozen stays so.
 ///
 /// @pre  nodes of two parts at one place of a curve have the same tag, but for its kind. Where two parts have other
 ///       nodes on a curve between them, the mesh has a crack there, and the constraints of one side.

@@ -53,33 +53,32 @@ class Pipeline {
     return [this](std::string_view name, const WorkMesh& mesh) { context_.on_snapshot(name, flatten(mesh, domain_)); };
   }
 
-  // Number of the halved cells' quads that are not sound from the start.
+  // Number of quads of the cells that have fallen back that are not sound from the start.
   std::size_t note_raw(const CellMesher& cells) {
     const WorkMesh raw = cells.mesh();
     report_.before_smoothing = measure(flatten(raw, domain_));
-    return unsound_of(raw, cells.halved()).size();
+    return unsound_of(raw, cells.fallen_back()).size();
   }
 
-  // Smooths the cells together. Halving leaves sound quads where the triangles were, however thin. Where clean-up and
-  // smoothing spoil them, more and more of what is round the place stays as it was, until no more than the `n_given`
-  // quads are left that were not sound before either.
+  // Smooths the cells together. As a fall-back, halving leaves sound quads where the triangles were, however thin.
+  // Where clean-up and smoothing spoil them, more and more of what is round the place stays as it was, until no more
+  // than the `n_given` quads are left that were not sound before either.
   WorkMesh finished(CellMesher& cells, const SizeField& size, std::size_t n_given) {
     std::vector<Point> spoiled;
     CellSet to_clean;  // those with spoiled quads
     WorkMesh mesh;
     for (const double reach : kReaches) {
       const auto freeze = [&](WorkMesh& some) {
-        freeze_slivers(some, cells.halved());
-        freeze_near(some, cells.halved(), spoiled, reach, size);
+        freeze_slivers(some);
+        freeze_near(some, spoiled, reach, size);
       };
       if (!spoiled.empty()) cells.clean_up_again(to_clean, freeze);
       if (!cells.troubles().empty()) break;
       mesh = cells.cleaned_mesh();
       if (context_.on_snapshot) context_.on_snapshot("clean-up", flatten(mesh, domain_));
-      freeze(mesh);
       clock_.run("smooth", [&] { smooth(mesh, domain_, size, {.criteria = options_.criteria}, context_); });
       mesh.thaw();
-      const std::vector<FaceId> faces = unsound_of(mesh, cells.halved());
+      const std::vector<FaceId> faces = unsound_of(mesh, cells.fallen_back());
       if (faces.size() <= n_given) break;
       to_clean = {};
       for (const FaceId f : faces) {

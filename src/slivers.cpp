@@ -48,7 +48,7 @@ Point centre_of(const WorkMesh& mesh, FaceId f) {
   return (1.0 / p.n) * sum;
 }
 
-void freeze_slivers(WorkMesh& mesh, const CellSet& cells) {
+void freeze_slivers(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   IdVector<FaceId, std::uint8_t> is_frozen(topo.face_capacity(), 0);
   std::vector<FaceId> work;
@@ -56,7 +56,7 @@ void freeze_slivers(WorkMesh& mesh, const CellSet& cells) {
   while (!work.empty()) {
     const FaceId f = work.back();
     work.pop_back();
-    if (is_frozen[f] || !cells.contains(mesh.cell(f)) || !is_sound(mesh, f) || !is_sliver(mesh, f)) continue;
+    if (is_frozen[f] || !is_sound(mesh, f) || !is_sliver(mesh, f)) continue;
     mesh.freeze(f);
     is_frozen[f] = 1;
     const Polygon held = topo.polygon(f);
@@ -67,8 +67,7 @@ void freeze_slivers(WorkMesh& mesh, const CellSet& cells) {
   }
 }
 
-void freeze_near(WorkMesh& mesh, const CellSet& cells, const std::vector<Point>& places, double reach,
-                 const SizeField& size) {
+void freeze_near(WorkMesh& mesh, const std::vector<Point>& places, double reach, const SizeField& size) {
   std::vector<Box> boxes;
   for (const Point p : places) {
     const double r = reach * size.at(p);
@@ -76,7 +75,7 @@ void freeze_near(WorkMesh& mesh, const CellSet& cells, const std::vector<Point>&
   }
   const BoxTree tree(boxes);
   for_each_face(mesh, [&](FaceId f) {
-    if (!cells.contains(mesh.cell(f)) || !is_sound(mesh, f)) return;
+    if (!is_sound(mesh, f)) return;
     const Point c = centre_of(mesh, f);
     bool is_near = false;
     tree.query({c, c}, [&](std::uint32_t) { is_near = true; });

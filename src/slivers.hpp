@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "domain/cell_set.hpp"
 #include "domain/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 
@@ -14,12 +13,11 @@ std::vector<FaceId> unsound_faces(const WorkMesh& mesh);
 /// The middle of the corners.
 Point centre_of(const WorkMesh& mesh, FaceId f);
 
-/// Freezes the sound quads of some cells that clean-up and untangling would take for tangled ones and spoil: very thin
-/// ones, and those with a wide corner at a node that stays.
-void freeze_slivers(WorkMesh& mesh, const CellSet& cells);
+/// Freezes the sound quads that clean-up and untangling would take for tangled ones and spoil: very thin ones, and
+/// those with a wide corner at a node that stays.
+void freeze_slivers(WorkMesh& mesh);
 
-/// Freezes the sound quads of some cells near places, up to `reach` sizes from them.
-void freeze_near(WorkMesh& mesh, const CellSet& cells, const std::vector<Point>& places, double reach,
-                 const SizeField& size);
+/// Freezes the sound quads near places, up to `reach` sizes from them.
+void freeze_near(WorkMesh& mesh, const std::vector<Point>& places, double reach, const SizeField& size);
 
 }  // namespace quadline
