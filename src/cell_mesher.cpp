@@ -22,7 +22,8 @@ struct OtherTriangles {
   Triangles triangles;
   double spacing;
 };
-constexpr std::array<OtherTriangles, 2> kOthers{{{Triangles::Delaunay, 1}, {Triangles::Front, 0.93}}};
+constexpr std::array<OtherTriangles, 3> kOthers{
+    {{Triangles::Delaunay, 1}, {Triangles::Front, 0.93}, {Triangles::Front, 1.07}}};
 
 // Tells the progress of the stages of one try as that of a part of it.
 Context part_of_tries(Context& context, std::size_t i) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "domain/arrange.hpp"
+#include "io/read_model.hpp"
 #include "pipeline.hpp"
 #include "tests/unit/two_cells.hpp"
 
@@ -144,6 +145,18 @@ TEST(FallbackChain, EndsWithAValidMeshAndAFindingForTheCell) {
   const MeshResult again = generate(near_ends(), {}, context);
   EXPECT_EQ(again.mesh.quads, result.mesh.quads);
   EXPECT_EQ(again.mesh.points, result.mesh.points);
+}
+
+// As a method, halving holds no quads: clean-up and smoothing mend the flat ones that it leaves beside arcs.
+TEST(Methods, MendTheFlatQuadsOfHalving) {
+  for (const Method method : {Method::Merge, Method::Split}) {
+    Context context;
+    const MeshResult result =
+        generate(read_model("models/structures/perforated-8x8.json"), {.method = method}, context);
+    ASSERT_FALSE(result.failure);
+    EXPECT_LT(result.report.before_smoothing.scaled_jacobian.min, 0.25);
+    EXPECT_GT(result.report.quality.scaled_jacobian.min, 0.7);
+  }
 }
 
 TEST(FallbackChain, NothingTakesMoreQuadsThanAllowed) {
