@@ -16,7 +16,7 @@ enum class LineFronts {
 enum class Triangles {
   Delaunay,  ///< edges subdivided after the local size (Borouchaki and George 1997)
   Front,     ///< an advancing front of triangles
-  Both,      ///< Front; where nodes of too many and of too few quads are left in a cell, the better of the two
+  Both,      ///< Front; where nodes of too many and of too few quads are left in a cell, the best of several
 };
 
 /// How the triangles become quads.
