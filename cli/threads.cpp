@@ -15,11 +15,13 @@ std::function<void(std::size_t n, const std::function<void(std::size_t)>& job)> 
       for (std::size_t i = next++; i < n; i = next++) job(i);
     };
     std::vector<std::jthread> others;
-    const std::size_t wanted = std::min<std::size_t>(threads, n);
-    try {
-      while (others.size() + 1 < wanted) others.emplace_back(take_jobs);
-    } catch (const std::system_error&) {
-      // those that are there take the jobs of the others
+    std::size_t wanted = std::min<std::size_t>(threads, n);
+    while (others.size() + 1 < wanted) {
+      try {
+        others.emplace_back(take_jobs);
+      } catch (const std::system_error&) {
+        wanted = others.size() + 1;  // those that are there take the jobs of the others
+      }
     }
     take_jobs();
   };

@@ -64,14 +64,28 @@ std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> plac
 
 bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   if (++attempts_ > kMostAttempts) return false;
+  std::vector<std::size_t> next;
+  for (const Trouble& t : troubles)
+    next.push_back(std::max(rung_[t.cell] + 1, is_beside_halved(t.cell) ? kFirstHalving : 0));
   bool advanced = false;
-  for (const Trouble& t : troubles) {
-    if (rung_[t.cell] + 1 == std::size(kRungs)) continue;
-    ++rung_[t.cell];
-    if (why_[t.cell].empty()) why_[t.cell] = t.reason;
+  for (std::size_t i = 0; i < troubles.size(); ++i) {
+    const CellId c = troubles[i].cell;
+    if (next[i] == std::size(kRungs)) continue;
+    rung_[c] = next[i];
+    if (why_[c].empty()) why_[c] = troubles[i].reason;
     advanced = true;
   }
   return advanced;
+}
+
+bool FallbackPlan::is_beside_halved(CellId c) const {
+  for (const std::vector<DirectedCurve>& walk : domain_.cells[c].walks)
+    for (const DirectedCurve& d : walk) {
+      const Domain::Curve& curve = domain_.curves[d.curve];
+      const CellId beside = d.reversed ? curve.left : curve.right;
+      if (beside.valid() && beside != c && rung(beside).is_halved) return true;
+    }
+  return false;
 }
 
 Domain FallbackPlan::domain() const {

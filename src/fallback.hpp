@@ -24,6 +24,8 @@ constexpr Rung kRungs[] = {{false, 1, false, "as asked"},
                            {false, 1, true, "at twice the size and halved"},
                            {true, 0.5, true, "and halved, with half the sizes"},
                            {false, 0.25, true, "and halved, with a quarter of the sizes"}};
+constexpr std::size_t kFirstHalving = 4;
+static_assert(kRungs[kFirstHalving].is_halved && !kRungs[kFirstHalving - 1].is_halved);
 
 /// A cell where a mesh breaks the promise.
 struct Trouble {
@@ -45,7 +47,8 @@ class FallbackPlan {
  public:
   explicit FallbackPlan(const Domain& domain) : domain_(domain), rung_(domain.cells.count(), 0), why_(rung_.count()) {}
 
-  /// Takes the cells in trouble a rung further.
+  /// Takes the cells in trouble a rung further; straight to halving beside cells that are halved, as what troubles one
+  /// mostly troubles the other.
   /// @return  false: nothing is left to be tried.
   bool advance(const std::vector<Trouble>& troubles);
 
@@ -60,6 +63,7 @@ class FallbackPlan {
   std::vector<Finding> failures(const std::vector<Trouble>& troubles) const;
 
  private:
+  bool is_beside_halved(CellId c) const;
   std::string name_of(CellId c) const;
 
   const Domain& domain_;
