@@ -1,5 +1,6 @@
 #include "cell_mesher.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -116,6 +117,7 @@ void CellMesher::halve() {
 
 void CellMesher::clean_up() {
   run("clean-up", [&](CellId c, Context& context) {
+    starts_[c] = fingerprint(parts_[c]);
     if (take_from_cache(c)) return;
     if (fallen_back_.contains(c)) freeze_slivers(parts_[c]);
     quadline::clean_up(parts_[c], size_, templates_, context);
@@ -148,7 +150,6 @@ void CellMesher::try_triangles() {
 // Most models need one attempt, and no memory for a second: the first fills no cache.
 bool CellMesher::take_from_cache(CellId c) {
   if (plan_.is_first()) return false;
-  starts_[c] = fingerprint(parts_[c]);
   const WorkMesh* known = cache_.find(c, starts_[c]);
   if (!known) return false;
   parts_[c] = *known;
@@ -160,13 +161,18 @@ void CellMesher::keep_in_cache(CellId c) {
   if (!plan_.is_first()) cache_.keep(c, starts_[c], parts_[c]);
 }
 
+// In small cells different triangles often give the same quads, which need not be cleaned up again.
 void CellMesher::try_triangles_of(CellId c, Context& context) {
+  std::vector<std::uint64_t> seen{starts_[c]};
   for (std::size_t i = 0; i < kOthers.size(); ++i) {
     Context part = part_of_tries(context, i);
     try {
       WorkMesh other = triangulated(c, part);
       insert_field_points(other, other_sizes_[i], kOthers[i].triangles, part);
       merge_to_quads(other, size_, {.lines = options_.lines}, {}, part);
+      const std::uint64_t start = fingerprint(other);
+      if (std::find(seen.begin(), seen.end(), start) != seen.end()) continue;
+      seen.push_back(start);
       quadline::clean_up(other, size_, templates_, part);
       if (!troubles_[c] && cell_cost(other) >= cell_cost(parts_[c])) continue;
       parts_[c] = std::move(other);

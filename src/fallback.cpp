@@ -1,6 +1,7 @@
 #include "fallback.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "domain/cell_set.hpp"
 #include "domain/size_locate.hpp"
@@ -11,10 +12,23 @@ namespace quadline {
 namespace {
 
 constexpr std::size_t kMostAttempts = 24;
+constexpr double kThin = 0.03;  // least over greatest distance between two corners of a quad
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);
   return 0.5 * cross(p[2] - p[0], p[3] - p[1]);
+}
+
+bool is_thin(const WorkMesh& mesh, FaceId f) {
+  const Polygon p = mesh.topo().polygon(f);
+  double least2 = std::numeric_limits<double>::infinity(), most2 = 0;
+  for (int i = 0; i < p.n; ++i)
+    for (int k = 0; k < i; ++k) {
+      const double apart2 = norm2(mesh.point(p.nodes[i]) - mesh.point(p.nodes[k]));
+      least2 = std::min(least2, apart2);
+      most2 = std::max(most2, apart2);
+    }
+  return least2 < kThin * kThin * most2;
 }
 
 // The middle of the largest quad of each cell.
@@ -37,8 +51,10 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
 std::vector<Trouble> unsound_cells(const WorkMesh& mesh) {
   std::vector<Trouble> found;
   for (const FaceId f : unsound_faces(mesh))
-    found.push_back({mesh.cell(f), "a quad is not convex, or flat", centre_of(mesh, f)});
-  std::stable_sort(found.begin(), found.end(), [](const Trouble& t, const Trouble& u) { return t.cell < u.cell; });
+    found.push_back({mesh.cell(f), "a quad is not convex, or flat", centre_of(mesh, f), is_thin(mesh, f)});
+  std::stable_sort(found.begin(), found.end(), [](const Trouble& t, const Trouble& u) {
+    return t.cell != u.cell ? t.cell < u.cell : t.is_thin > u.is_thin;
+  });
   const auto is_same = [](const Trouble& t, const Trouble& u) { return t.cell == u.cell; };
   found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   return found;
@@ -66,7 +82,7 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   if (++attempts_ > kMostAttempts) return false;
   std::vector<std::size_t> next;
   for (const Trouble& t : troubles)
-    next.push_back(std::max(rung_[t.cell] + 1, is_beside_halved(t.cell) ? kFirstHalving : 0));
+    next.push_back(std::max(rung_[t.cell] + 1, t.is_thin || is_beside_halved(t.cell) ? kFirstHalving : 0));
   bool advanced = false;
   for (std::size_t i = 0; i < troubles.size(); ++i) {
     const CellId c = troubles[i].cell;

@@ -32,6 +32,7 @@ struct Trouble {
   CellId cell;
   std::string reason;  ///< one line
   Point at;
+  bool is_thin = false;  ///< a quad there is so thin that the drawing must be: only halving helps
 };
 
 /// The cells where a quad is not sound or a triangle is left, each with the first such place; in the order of the
@@ -47,8 +48,8 @@ class FallbackPlan {
  public:
   explicit FallbackPlan(const Domain& domain) : domain_(domain), rung_(domain.cells.count(), 0), why_(rung_.count()) {}
 
-  /// Takes the cells in trouble a rung further; straight to halving beside cells that are halved, as what troubles one
-  /// mostly troubles the other.
+  /// Takes the cells in trouble a rung further; straight to halving where a quad is thin, and beside cells that are
+  /// halved, as what troubles one mostly troubles the other.
   /// @return  false: nothing is left to be tried.
   bool advance(const std::vector<Trouble>& troubles);
 

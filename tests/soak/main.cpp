@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,7 @@ using namespace quadline;
 struct Arguments {
   int number = 1000, first = 1, processes = 2, minimise_runs = 300;
   std::string family;
-  double seconds = 1e9, model_seconds = 30;
+  double seconds = 1e9, model_seconds = 30, coarsest = 1;
   bool keep_going = false;
   std::string folder = "out/soak";
   std::string models;  ///< folder; not empty: the models are written there, and none is meshed
@@ -35,10 +37,23 @@ struct Tally {
   int longest_seed = 0;
 };
 
-Model model_of(const Family& family, int seed) {
+// Sizes from those of the family to `coarsest` times as large: elements that are larger than the details, and fewer.
+void coarsen(Model& model, Dice& dice, double coarsest) {
+  const double factor = std::pow(coarsest, dice.number(0, 1));
+  const auto scale = [factor](std::optional<double>& size) {
+    if (size) *size *= factor;
+  };
+  model.size *= factor;
+  for (Line& line : model.lines) scale(line.size);
+  for (NamedPoint& point : model.points) scale(point.size);
+  for (Region& region : model.regions) scale(region.size);
+}
+
+Model model_of(const Family& family, int seed, double coarsest) {
   Dice dice(static_cast<std::uint64_t>(seed));
   Model model = family.make(dice);
   model.name = family.name + "-" + std::to_string(seed);
+  if (coarsest > 1) coarsen(model, dice, coarsest);
   return model;
 }
 
@@ -75,9 +90,9 @@ class Soak {
 
   void start(const Family& family, int seed) {
     if (is_over()) return;
-    if (!arguments_.models.empty()) return write(model_of(family, seed), arguments_.models);
+    if (!arguments_.models.empty()) return write(model_of(family, seed, arguments_.coarsest), arguments_.models);
     if (running_.size() == static_cast<std::size_t>(arguments_.processes)) finish_one();
-    running_.push_back({&family, seed, Trial(model_of(family, seed), arguments_.model_seconds)});
+    running_.push_back({&family, seed, Trial(model_of(family, seed, arguments_.coarsest), arguments_.model_seconds)});
   }
 
   void finish_one() {
@@ -112,7 +127,7 @@ class Soak {
 
   void keep_smallest(const Family& family, int seed, const std::string& kind) {
     const auto fails = [&](const Model& m) { return Trial(m, arguments_.model_seconds).finish().kind == kind; };
-    Model smallest = minimise(model_of(family, seed), fails, arguments_.minimise_runs);
+    Model smallest = minimise(model_of(family, seed, arguments_.coarsest), fails, arguments_.minimise_runs);
     smallest.about = kind;
     write(smallest, arguments_.folder);
     std::printf("  smallest model: %s/%s.json\n", arguments_.folder.c_str(), smallest.name.c_str());
@@ -145,6 +160,7 @@ int main(int argc, char** argv) {
   app.add_option("--family", arguments.family, "only this family");
   app.add_option("--seconds", arguments.seconds, "start no model after so many seconds");
   app.add_option("--model-seconds", arguments.model_seconds, "a model that takes longer hangs");
+  app.add_option("--coarsest", arguments.coarsest, "sizes up to so many times as large, >= 1");
   app.add_option("--processes", arguments.processes, "models at a time")->check(CLI::PositiveNumber);
   app.add_option("--minimise-runs", arguments.minimise_runs, "runs to make a failing model smaller");
   app.add_option("--out", arguments.folder, "folder of the failing models");

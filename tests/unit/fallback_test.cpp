@@ -147,6 +147,19 @@ TEST(FallbackChain, EndsWithAValidMeshAndAFindingForTheCell) {
   EXPECT_EQ(again.mesh.points, result.mesh.points);
 }
 
+TEST(FallbackChain, AThinQuadTakesItsCellStraightToHalving) {
+  Context context;
+  const Domain domain = arrange(near_ends(), {}, context);
+  FallbackPlan plan(domain);
+  CellCache cache(domain.cells.count());
+  Report report;
+  const Attempt first = attempt_mesh(plan, {}, cache, report, context);
+  ASSERT_EQ(first.troubles.size(), 1u);
+  EXPECT_TRUE(first.troubles[0].is_thin);
+  ASSERT_TRUE(plan.advance(first.troubles));
+  EXPECT_TRUE(plan.rung(first.troubles[0].cell).is_halved);
+}
+
 // As a method, halving holds no quads: clean-up and smoothing mend the flat ones that it leaves beside arcs.
 TEST(Methods, MendTheFlatQuadsOfHalving) {
   for (const Method method : {Method::Merge, Method::Split}) {

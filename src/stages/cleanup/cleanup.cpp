@@ -22,20 +22,37 @@ constexpr int kRounds = 2;
 constexpr std::size_t kStepsPerNode = 100;  // of the work list, at most
 constexpr int kFirstSweeps = 3;             // of smoothing, before anything is judged
 constexpr int kTrialSweeps = 7;
-constexpr std::size_t kTries = 6;        // replacements tried per cavity
-constexpr std::size_t kTriesBroken = 8;  // where something must be mended
+constexpr int kFirstLook = 1, kSecondLook = 3;  // sweeps after which hopeless trials are given up
+constexpr std::size_t kTries = 6;               // replacements tried per cavity
+constexpr std::size_t kTriesBroken = 8;         // where something must be mended
 
 // What an edit may lose.
 constexpr double kFloor = 0.4;  // the least scaled Jacobian may fall by kMayLose, but not below this
 constexpr double kMayLose = 0.2;
 constexpr double kBetaMayLose = 0.08;  // of the mean beta of the cavity and the quads round it
-constexpr double kBetaHopeless = 0.2;  // the same after the first sweep of smoothing
 constexpr double kSizeSpread = 0.15;   // see PatchQuality; never refused below it
+
+// How far off its limits a trial may be at a look: of those that are farther off no more than one in a hundred
+// comes good in the sweeps that are left.
+struct Slack {
+  double beta, spread, size;
+};
+struct Slacks {
+  Slack first, second;
+};
+constexpr Slacks kSmallSlacks{{0.12, 0.32, 1.8}, {0.04, 0.15, 0.75}};
+constexpr Slacks kPatchSlacks{{0.02, 0.08, 1.5}, {0.01, 0.03, 0.75}};
 
 // What it is worth beside a valence, to choose among edits.
 constexpr double kJacobianWorth = 20;  // of the least scaled Jacobian, where something must be mended
 constexpr double kGoodJacobian = 0.5;
 constexpr double kBetaWorth = 0.5;  // of the sum of beta
+
+bool is_within(const PatchQuality& then, const PatchQuality& now, const Slack& slack) {
+  return then.mean_beta >= now.mean_beta - kBetaMayLose - slack.beta &&
+         then.size_spread <= std::max(kSizeSpread, now.size_spread) + slack.spread &&
+         then.size_error <= std::max(1.0, now.size_error) + slack.size;
+}
 
 class CleanUp {
  public:
@@ -54,7 +71,7 @@ class CleanUp {
   bool try_shapes(NodeId v);
   bool try_templates(const Cavity& cavity, bool must);
   bool try_patches(NodeId v);
-  std::optional<double> gain_of_trial(const Cavity& cavity, bool must);
+  std::optional<double> gain_of_trial(const Cavity& cavity, const Slacks& slacks, bool must);
   void note(const Cavity& cavity, double gain);
   bool carry_out_best();
   void commit();
@@ -184,7 +201,7 @@ bool CleanUp::try_templates(const Cavity& cavity, bool must) {
       const auto& q = m.way->quads[i];
       replacement_.quads.push_back({q[0], q[1], q[2], q[3]});
     }
-    const std::optional<double> gain = gain_of_trial(cavity, must);
+    const std::optional<double> gain = gain_of_trial(cavity, kSmallSlacks, must);
     if (!gain) continue;
     if (!must) {
       commit();
@@ -204,7 +221,7 @@ bool CleanUp::try_patches(NodeId v) {
     for (Filling& filling : fill_patch(grower_.rim(), kTries, most_irregular)) {
       reuse_inner_nodes(patch, filling.n_inner);
       replacement_.quads = std::move(filling.quads);
-      if (const std::optional<double> gain = gain_of_trial(patch, false)) note(patch, *gain);
+      if (const std::optional<double> gain = gain_of_trial(patch, kPatchSlacks, false)) note(patch, *gain);
     }
   }
   return carry_out_best();
@@ -216,21 +233,26 @@ void CleanUp::reuse_inner_nodes(const Cavity& cavity, std::size_t n_inner) {
 }
 
 // Builds and smooths the replacement; what it is worth, or nothing where it is refused.
-std::optional<double> CleanUp::gain_of_trial(const Cavity& cavity, bool must) {
+std::optional<double> CleanUp::gain_of_trial(const Cavity& cavity, const Slacks& slacks, bool must) {
   const int valences_after = cost_after(cavity, replacement_);
   if (valences_after >= cavity.cost && !must) return std::nullopt;
   if (!trial_.build(cavity, replacement_)) return std::nullopt;
   const PatchQuality now = trial_.quality_now();
-  trial_.smooth(1);
-  if (!must && trial_.quality().mean_beta < now.mean_beta - kBetaHopeless) return std::nullopt;
-  trial_.smooth(kTrialSweeps - 1);
+  const auto fall_to = [&](const PatchQuality& then) {
+    return cavity.cost - valences_after + kBroken * (now.n_broken - then.n_broken);
+  };
+  trial_.smooth(kFirstLook);
+  if (!must && !is_within(trial_.quality(), now, slacks.first)) return std::nullopt;
+  trial_.smooth(kSecondLook - kFirstLook);
+  const PatchQuality soon = trial_.quality();
+  if (must ? fall_to(soon) <= 0 : !is_within(soon, now, slacks.second)) return std::nullopt;
+  trial_.smooth(kTrialSweeps - kSecondLook);
   const PatchQuality then = trial_.quality();
-  const int fall = cavity.cost - valences_after + kBroken * (now.n_broken - then.n_broken);
+  const int fall = fall_to(then);
   if (fall <= 0) return std::nullopt;
   if (fall >= kBroken / 2) return fall + kJacobianWorth * std::min(then.least_jacobian, kGoodJacobian);
   if (then.least_jacobian < std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose)) ||
-      then.mean_beta < now.mean_beta - kBetaMayLose || then.size_error > std::max(1.0, now.size_error) ||
-      then.size_spread > std::max(kSizeSpread, now.size_spread))
+      !is_within(then, now, {}))
     return std::nullopt;
   return fall + kBetaWorth * static_cast<double>(now.n_quads) * (then.mean_beta - now.mean_beta);
 }
