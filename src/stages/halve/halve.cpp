@@ -1,10 +1,11 @@
 // The conforming split of mixed meshes [Rank1993]. A straight triangle gives three convex quads, a convex quad four,
-// however thin they are.
+// however thin they are. We differ beside arcs that bend into a face: its centre keeps clear of them.
 #include "stages/halve/halve.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,24 @@ Middle middle_of(const WorkMesh& mesh, const Domain& domain, NodeId a, NodeId b,
   return {point_at(piece, s), s, sa < sb};
 }
 
+// Cuts off what of a convex polygon lies on the right of the line from a to b.
+void clip(std::vector<Point>& polygon, Point a, Point b) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+    const double at_p = twice_area(a, b, p), at_q = twice_area(a, b, q);
+    if (at_p >= 0) kept.push_back(p);
+    if ((at_p < 0) != (at_q < 0)) kept.push_back(p + (at_p / (at_p - at_q)) * (q - p));
+  }
+  polygon = std::move(kept);
+}
+
+Point mean(std::span<const Point> points) {
+  Point sum;
+  for (const Point p : points) sum += p;
+  return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
 class Halving {
  public:
   Halving(WorkMesh& mesh, const Domain& domain) : mesh_(mesh), domain_(domain) {}
@@ -111,18 +130,35 @@ class Halving {
   void add_quads(FaceId f) {
     std::array<NodeId, 4> corner, middle;
     int n = 0;
-    Point sum;
+    bool is_bent = false;
     topo().for_each_half(f, [&](HalfId h) {
       corner[n] = topo().tail(h);
       middle[n] = middle_[edge_of(h)];
-      sum += points_[middle[n].value];
+      is_bent = is_bent || (mesh_.is_constraint(h) && domain_.curves[mesh_.curve(edge_of(h))].piece.is_arc());
       ++n;
     });
-    const NodeId centre = add_node((1.0 / n) * sum, {});
+    const std::span corners(corner.data(), static_cast<std::size_t>(n)), middles(middle.data(), corners.size());
+    const NodeId centre = add_node(centre_of(corners, middles, is_bent), {});
     for (int k = 0; k < n; ++k) {
       quads_.push_back({corner[k], middle[k], centre, middle[(k + n - 1) % n]});
       cells_.push_back(mesh_.cell(f));
     }
+  }
+
+  // The mean of the middles; where they may lie off their edges, of the part of their polygon from which all quads are
+  // convex.
+  Point centre_of(std::span<const NodeId> corners, std::span<const NodeId> middles, bool is_bent) const {
+    std::vector<Point> polygon;
+    for (const NodeId m : middles) polygon.push_back(points_[m.value]);
+    const Point usual = mean(polygon);
+    if (!is_bent) return usual;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Point a = points_[corners[k].value], m = points_[middles[k].value];
+      const Point b = points_[corners[(k + 1) % corners.size()].value];
+      clip(polygon, a, m);
+      clip(polygon, m, b);
+    }
+    return polygon.size() < 3 ? usual : mean(polygon);
   }
 
   WorkMesh& mesh_;

@@ -64,6 +64,20 @@ TEST(Halve, ReflexQuadIsCutFirst) {
   EXPECT_GT(least_jacobian(mesh), 0);
 }
 
+// Below the tangent of an arc, from the point where they touch: the arc's middle, the mean of all and the far end of
+// the arc's edge would lie in line.
+TEST(Halve, WedgeBetweenAnArcAndItsTangentGivesConvexQuads) {
+  const Point touch{0, 0}, on_arc{0.4, -0.2}, on_tangent{0.4, 0}, centre{0, -0.5};
+  Domain domain = one_curve(on_arc, touch);
+  CurvePiece& arc = domain.curves[CurveId(0)].piece;
+  arc.center = centre;
+  arc.radius = 0.5;
+  arc.sweep = std::atan2(cross(on_arc - centre, touch - centre), dot(on_arc - centre, touch - centre));
+  const WorkMesh mesh = halved(shapes::mesh_of({touch, on_arc, on_tangent}, {{0, 1, 2}}, {{1, 0}}), domain);
+  EXPECT_EQ(mesh.topo().face_count(), 3u);
+  EXPECT_GT(least_jacobian(mesh), 0.01);
+}
+
 TEST(Halve, ConstraintsHaveTwiceTheEdges) {
   const shapes::Patch patch = shapes::patch({.nx = 4, .ny = 3, .lines = {{{{1, 1}, {3, 1}}}}});
   const WorkMesh mesh = halved(patch.mesh, patch.domain);
