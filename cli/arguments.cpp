@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <thread>
 
+#include "cli/console.hpp"
 #include "io/nearest_name.hpp"
 #include "io/number_text.hpp"
 #include "quadline/errors.hpp"
@@ -88,8 +90,12 @@ void add_arrangement_options(CLI::App& app, Options& options) {
       "a number of 4 or more", set_per_circle);
 }
 
+// For CLI11: the complaint, empty where there is none.
+std::string refuse_empty(const std::string& text) { return text.empty() ? "expected a name, found nothing" : ""; }
+
 void add_criteria(CLI::App& app, const std::string& does, std::string& criteria) {
   app.add_option("--criteria", criteria, does + ": csr-fine, hypermesh-10mm, growth, or a JSON file")
+      ->check(refuse_empty)
       ->type_name("NAME");
 }
 
@@ -125,8 +131,10 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_number(*mesh, "--max-quads", "refuse models that are expected to need more; default 5e7", "a number of 1 or more",
              set_max_quads);
   mesh->add_option("--stages", arguments.stages, "write a .svg and a .vtu after every stage into this folder")
+      ->check(refuse_empty)
       ->type_name("DIR");
   mesh->add_option("--report", arguments.report, "write counts, quality, seconds and memory into this JSON file")
+      ->check(refuse_empty)
       ->type_name("FILE");
   add_criteria(*mesh, "move nodes where quads are beyond limits, count those that stay so, and name the worst",
                arguments.criteria);
@@ -214,7 +222,9 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // for help or the version
-    app.exit(asked);
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    print(text.str());
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     refuse_unknown_words(app, argc, argv);

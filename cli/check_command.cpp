@@ -12,6 +12,7 @@
 #include "domain/corners.hpp"
 #include "io/mesh_faults.hpp"
 #include "io/mesh_io.hpp"
+#include "io/names.hpp"
 #include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
@@ -76,7 +77,7 @@ Verdict verdict_on(const CheckArguments& arguments) {
 
 std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   const Mesh& mesh = verdict.mesh;
-  std::string out = arguments.mesh.string() + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
+  std::string out = printable(arguments.mesh.string()) + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
                     counted(mesh.triangles.size(), "triangle", "triangles") + ", " +
                     counted(mesh.points.size(), "node", "nodes") + ", " +
                     counted(mesh.regions.size(), "region", "regions") + ", " +
@@ -88,7 +89,8 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
     out += "  - " + std::string(InputError(line, Where{{}, {}, fault.first}).what()) + '\n';
   }
   if (verdict.all_quad && !mesh.triangles.empty()) out += "  - not all elements are quads\n";
-  if (!arguments.model.empty() && !verdict.broken) out += "against the model: kept: " + arguments.model.string() + '\n';
+  if (!arguments.model.empty() && !verdict.broken)
+    out += "against the model: kept: " + printable(arguments.model.string()) + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
   out += quality_table(verdict.quality) + corner_line(verdict.corners, verdict.quality) + worst_table(verdict.worst) +

@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
 #include "quadline/errors.hpp"
@@ -10,6 +11,7 @@ namespace quadline {
 int run(const DrawArguments& arguments) {
   const std::optional<MeshFile> output = find_mesh_file(arguments.output);
   if (!output || output->format != "svg") throw InputError("is no picture: use .svg", Where{arguments.output, {}, {}});
+  refuse_overwriting(output->path, {arguments.mesh});
   check_can_write(output->path);
   write_mesh(read_mesh(arguments.mesh), *output);
   return kDone;

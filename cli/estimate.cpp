@@ -18,7 +18,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// More than any mesh of the model can take: all of its box at its least size.
+/// More than any mesh of the model is expected to take: all of its box and of its curves at its least size, and all
+/// cells that its curves can make.
 class UpperBound {
  public:
   UpperBound(const Model& model, const Options& options)
@@ -35,7 +36,7 @@ class UpperBound {
 
   double quads() const {
     const Point extent = box_.hi - box_.lo;
-    return extent.x * extent.y / (least_ * least_);
+    return extent.x * extent.y / (least_ * least_) + 2 * length_ / least_ + n_curves_ * n_curves_;
   }
 
  private:
@@ -50,20 +51,28 @@ class UpperBound {
     if (path.circle) {
       const Point reach{path.circle->radius, path.circle->radius};
       add({path.circle->center - reach, path.circle->center + reach});
+      add_curve(kFullTurn * path.circle->radius);
       shrink(kFullTurn * path.circle->radius / per_circle_);
     }
     for (std::size_t i = 0; i < path.items.size(); ++i) {
       const PathItem& item = path.items[i];
       add({item.to, item.to});
+      if (i > 0 && !item.via) add_curve(distance(path.items[i - 1].to, item.to));
       if (!item.via) continue;
       const CurvePiece arc = arc_through(path.items[i - 1].to, *item.via, item.to);
+      add_curve(length(arc));
       add(box(arc));
       if (arc.is_arc()) shrink(kFullTurn * arc.radius / per_circle_);
     }
   }
 
+  void add_curve(double length) {
+    length_ += length;
+    ++n_curves_;
+  }
+
   Box box_{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-  double least_, per_circle_;
+  double least_, per_circle_, length_ = 0, n_curves_ = 0;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "cli/interrupt.hpp"
 #include "domain/arrange.hpp"
 #include "domain/expected_quads.hpp"
+#include "io/names.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
 
@@ -37,10 +38,11 @@ Facts facts_of(const InfoArguments& arguments) {
 std::string text_of(const Facts& facts) {
   const Model& model = facts.model;
   const Domain& domain = facts.domain;
-  const std::string unit = model.units.empty() ? "" : ' ' + model.units;
+  const std::string unit = model.units.empty() ? "" : ' ' + printable(model.units);
   const auto number = [](std::size_t n) { return std::to_string(n); };
   std::string out =
-      (model.name.empty() ? model.file : model.name) + (model.about.empty() ? "" : ": " + model.about) + '\n';
+      printable((model.name.empty() ? model.file : model.name) + (model.about.empty() ? "" : ": " + model.about)) +
+      '\n';
   const std::vector<std::pair<const char*, std::string>> rows = {
       {"size", rounded(domain.size, 6) + unit},
       {"outer loops", number(model.outer.size())},

@@ -1,6 +1,4 @@
 #include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,12 +10,14 @@
 #include "cli/console.hpp"
 #include "cli/criteria_table.hpp"
 #include "cli/estimate.hpp"
+#include "cli/files.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/quality_table.hpp"
 #include "cli/threads.hpp"
 #include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
+#include "io/names.hpp"
 #include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
 #include "io/report_json.hpp"
@@ -93,17 +93,11 @@ class Snapshots {
   int n_ = 0;
 };
 
-/// The file is what standard output goes to: a mesh there leaves no place for words.
-bool is_standard_output(const fs::path& file) {
-  struct stat a{}, b{};
-  return ::stat(file.c_str(), &a) == 0 && ::fstat(STDOUT_FILENO, &b) == 0 && a.st_dev == b.st_dev &&
-         a.st_ino == b.st_ino;
-}
-
+/// A mesh or report on standard output leaves no place for words.
 bool takes_standard_output(const MeshArguments& arguments) {
   for (const std::string& output : arguments.outputs)
     if (is_standard_output(mesh_file(output).path)) return true;
-  return false;
+  return !arguments.report.empty() && is_standard_output(arguments.report);
 }
 
 /// Errors that would come after the work are found before it.
@@ -113,16 +107,16 @@ void check_outputs(const MeshArguments& arguments) {
   if (files.empty() && arguments.report.empty() && arguments.stages.empty() && !arguments.json)
     throw InputError("expected a file to write: give -o FILE");
   if (!arguments.report.empty()) files.push_back(arguments.report);
+  std::vector<fs::path> inputs = files_of_model(arguments.model);
+  if (!arguments.criteria.empty()) inputs.push_back(arguments.criteria);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const Where where{files[i].string(), {}, {}};
-    std::error_code error;
-    if (fs::equivalent(files[i], arguments.model, error)) throw InputError("would overwrite the model", where);
+    refuse_overwriting(files[i], inputs);
     for (std::size_t j = 0; j < i; ++j)
-      if (files[i].lexically_normal() == files[j].lexically_normal()) throw InputError("is given twice", where);
+      if (is_same_file(files[i], files[j])) throw InputError("is given twice", Where{files[i].string(), {}, {}});
     check_can_write(files[i]);
   }
   if (arguments.json && takes_standard_output(arguments))
-    throw InputError("standard output takes the mesh already: give --report FILE instead of --json");
+    throw InputError("standard output takes a file already: give --report FILE instead of --json");
 }
 
 void write_files(const MeshArguments& arguments, Run& run, StageWatch& watch) {
@@ -155,14 +149,14 @@ std::string on_lines(const Mesh& mesh) {
 
 std::string summary(const Run& run) {
   const Report& report = run.result.report;
-  std::string out = run.model.name.empty() ? run.model.file : run.model.name;
+  std::string out = printable(run.model.name.empty() ? run.model.file : run.model.name);
   out += ": " + counted(report.quality.n_quads, "quad", "quads") + ", " +
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
   out += on_lines(run.result.mesh);
   out += before_and_after(report.before_smoothing, report.quality);
   out += corner_line(report.corners, report.quality) + worst_table(report.worst) + line_table(report.lines);
   if (!run.criteria_name.empty()) out += criteria_table(run.criteria_name, run.criteria);
-  for (const fs::path& file : run.files) out += "written: " + file.string() + '\n';
+  for (const fs::path& file : run.files) out += "written: " + printable(file.string()) + '\n';
   return out;
 }
 

@@ -12,23 +12,10 @@ constexpr std::size_t kLongestName = 80;
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
 }  // namespace
 
-std::string printable(std::string_view name) {
-  std::string out;
-  while (!name.empty()) {
-    const std::size_t n = utf8_length(name);
-    if (n == 0 || is_control(name[0])) {
-      out += '_';
-    } else {
-      out += name.substr(0, n);
-    }
-    name.remove_prefix(std::max<std::size_t>(n, 1));
-  }
-  return out;
-}
+std::string printable(std::string_view name) { return printable(name, '_', '_'); }
 
 std::string SetNames::make(std::string_view wanted) {
   std::string name;
@@ -60,7 +47,7 @@ std::string json_string(std::string_view name) {
     const std::size_t n = utf8_length(name);
     if (n == 0) {
       out += "\\ufffd";
-    } else if (is_control(name[0])) {
+    } else if (is_control(name.substr(0, 1))) {
       out += "\\u00";
       out += kHex[name[0] >> 4];
       out += kHex[name[0] & 15];

@@ -33,6 +33,16 @@ class Reader {
     file_.fail_at_byte(static_cast<std::size_t>(std::max<std::ptrdiff_t>(at.offset_debug(), 0)), message);
   }
 
+  /// Bytes that the arrays may still take: many array tags may point at the same bytes, and a few bytes may claim to
+  /// inflate to a thousand times as many; meshes hardly to ten times.
+  std::size_t allowance() const {
+    constexpr std::size_t kMostInflation = 64, kSmall = std::size_t{1} << 20;
+    const std::size_t all =
+        encoding_.compressed ? kMostInflation * file_.bytes.size() + kSmall : 2 * file_.bytes.size();
+    return all - std::min(all, n_decoded_);
+  }
+  std::size_t declared(const pugi::xml_node& piece, const char* name) const;
+
   const SourceFile& file_;
   pugi::xml_document document_;
   std::size_t appended_at_ = 0;  ///< offset of the appended data, behind its underscore; 0: none
@@ -93,16 +103,13 @@ std::vector<T> Reader::values(const pugi::xml_node& array) {
     const std::size_t offset = array.attribute("offset").as_ullong();
     if (appended_at_ == 0 || offset > file_.bytes.size() - appended_at_) fail(array, "the array's offset is wrong");
     const std::size_t start = appended_at_ + offset;
-    bytes = vtk_binary(file_.bytes.substr(start), appended_base64_, encoding_, file_, start);
+    bytes = vtk_binary(file_.bytes.substr(start), appended_base64_, encoding_, allowance(), file_, start);
   } else if (format == "binary") {
-    bytes = vtk_binary(array.text().get(), true, encoding_, file_, at);
+    bytes = vtk_binary(array.text().get(), true, encoding_, allowance(), file_, at);
   } else {
     fail(array, "array format '" + std::string(format) + "' is not read");
   }
-  // Many array tags may point at the same bytes.
   n_decoded_ += bytes.size();
-  if (n_decoded_ / (encoding_.compressed ? kMostInflation : 1) > 2 * file_.bytes.size())
-    fail(array, "the arrays claim more bytes than the file can hold");
   return vtk_values<T>(bytes, type, encoding_.swapped, file_, at);
 }
 
@@ -163,10 +170,18 @@ void Reader::add_cell(std::int64_t type, const std::array<NodeIndex, 4>& n, cons
   }
 }
 
+std::size_t Reader::declared(const pugi::xml_node& piece, const char* name) const {
+  const auto count = parse_number<std::int64_t>(piece.attribute(name).as_string());
+  if (!count || *count < 0) fail(piece, std::string(name) + " is missing, or is no count");
+  return static_cast<std::size_t>(*count);
+}
+
 void Reader::read_piece(const pugi::xml_node& piece) {
   const std::size_t first_node = found_.z.size();
   const std::vector<double> xyz = values<double>(piece.child("Points").child("DataArray"));
   if (xyz.size() % 3 != 0) fail(piece, "points must have three coordinates");
+  if (xyz.size() / 3 != declared(piece, "NumberOfPoints"))
+    fail(piece, "NumberOfPoints is not the number of its points, " + std::to_string(xyz.size() / 3));
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
     found_.mesh.points.push_back({xyz[i], xyz[i + 1]});
     found_.z.push_back(xyz[i + 2]);
@@ -176,6 +191,8 @@ void Reader::read_piece(const pugi::xml_node& piece) {
   const auto offsets = values<std::int64_t>(array_named(cells, "offsets"));
   const auto types = values<std::int64_t>(array_named(cells, "types"));
   if (types.size() != offsets.size()) fail(cells, "offsets and types differ in number");
+  if (types.size() != declared(piece, "NumberOfCells"))
+    fail(piece, "NumberOfCells is not the number of its cells, " + std::to_string(types.size()));
   const auto region = cell_values(piece, "region", types.size());
   const auto curve = cell_values(piece, "curve", types.size());
   const auto point = cell_values(piece, "point", types.size());

@@ -92,7 +92,7 @@ std::vector<std::uint64_t> take_counts(ByteSource& source, std::size_t n, const 
   return out;
 }
 
-std::string inflated(ByteSource& source, const VtkEncoding& encoding) {
+std::string inflated(ByteSource& source, const VtkEncoding& encoding, std::size_t most) {
   const std::uint64_t n_blocks = take_counts(source, 1, encoding)[0];
   const auto sizes = take_counts(source, 2, encoding);
   if (n_blocks > source.bound()) source.fail("an array claims more blocks than the file holds");
@@ -106,8 +106,8 @@ std::string inflated(ByteSource& source, const VtkEncoding& encoding) {
   std::string out;
   for (std::size_t i = 0; i < packed.size(); ++i) {
     const std::uint64_t size = i + 1 == packed.size() && sizes[1] != 0 ? sizes[1] : sizes[0];
-    if (packed[i] > source.bound() || size / kMostInflation > packed[i])
-      source.fail("a compressed block claims more bytes than the file can hold");
+    if (packed[i] > source.bound()) source.fail("a compressed block claims more bytes than the file holds");
+    if (size > most - out.size()) source.fail("the arrays claim more bytes than a mesh of such a file can take");
     const std::string block = source.take(static_cast<std::size_t>(packed[i]));
     const std::size_t start = out.size();
     out.resize(start + static_cast<std::size_t>(size));
@@ -139,12 +139,13 @@ std::vector<T> converted(std::string_view bytes, bool swapped) {
 
 }  // namespace
 
-std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding& encoding, const SourceFile& file,
-                       std::size_t at) {
+std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding& encoding, std::size_t most,
+                       const SourceFile& file, std::size_t at) {
   ByteSource source(text, is_base64, file, at);
-  if (encoding.compressed) return inflated(source, encoding);
+  if (encoding.compressed) return inflated(source, encoding, most);
   const std::uint64_t size = take_counts(source, 1, encoding)[0];
-  if (size > source.bound()) source.fail("an array claims more bytes than the file holds");
+  if (size > std::min<std::uint64_t>(source.bound(), most))
+    source.fail("an array claims more bytes than the file holds");
   return source.take(static_cast<std::size_t>(size));
 }
 

@@ -13,8 +13,6 @@ namespace quadline {
 /// The types of cells that a plane mesh of first order has.
 enum VtkCell : std::uint8_t { kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5, kVtkQuad = 9 };
 
-constexpr std::size_t kMostInflation = 1032;  ///< no deflate stream grows by more
-
 /// How a VTK XML file stores its binary arrays.
 struct VtkEncoding {
   bool wide_headers = false;  ///< counts of 8 bytes, not of 4
@@ -26,10 +24,11 @@ struct VtkEncoding {
 ///
 /// @param text       starts with the array; may go on behind it.
 /// @param is_base64  the array is base64 text, not raw bytes.
+/// @param most       bytes that it may take.
 /// @param at         where the array stands in the file, for errors.
-/// @throws InputError  it ends too early, or claims more bytes than its text can hold.
-std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding& encoding, const SourceFile& file,
-                       std::size_t at);
+/// @throws InputError  it ends too early, or claims more bytes than its text can hold, or than `most`.
+std::string vtk_binary(std::string_view text, bool is_base64, const VtkEncoding& encoding, std::size_t most,
+                       const SourceFile& file, std::size_t at);
 
 /// The values of an array of VTK type `type` ("Float64", "Int32", ...), as numbers of type T.
 template <class T>

@@ -71,7 +71,11 @@ std::optional<MeshFile> find_mesh_file(const std::string& text) {
 }
 
 MeshFile mesh_file(const std::string& text) {
-  if (const std::optional<MeshFile> file = find_mesh_file(text)) return *file;
+  if (const std::optional<MeshFile> file = find_mesh_file(text)) {
+    if (file->path.empty()) throw InputError("no file is named behind the format", Where{text, {}, {}});
+    return *file;
+  }
+  if (text.empty()) throw InputError("the name of a file to write is empty");
   const std::string extension = std::filesystem::path(text).extension().string();
   throw InputError("the format '" + extension + "' is unknown: use .vtu, .msh, .inp, .svg or .json" +
                        (extension.empty() ? ", or name the format: vtu:" + text : ""),

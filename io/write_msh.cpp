@@ -94,6 +94,7 @@ void write_names(const Mesh& mesh, std::string& out) {
   const auto add = [&](int dimension, std::size_t i, const std::string& name) {
     std::string text = printable(name);
     std::replace(text.begin(), text.end(), '"', '\'');
+    if (text.ends_with('\\')) text.back() = '_';  // some readers would take it with the quote behind it
     lines += std::to_string(dimension) + ' ' + std::to_string(i + 1) + " \"" + text + "\"\n";
     ++count;
   };

@@ -73,6 +73,13 @@ void CellMesher::place_nodes() {
   of_halved_.emplace(domain_, halved_nodes_);
 }
 
+double CellMesher::least_quads() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < domain_.cells.count(); ++i)
+    sum += std::max(1.0, 0.5 * (static_cast<double>(of_whole_->count(CellId(i))) - 2));
+  return sum;
+}
+
 void CellMesher::make_triangles() {
   run("triangulate", [&](CellId c, Context& context) { parts_[c] = triangulated(c, context); });
   observe("triangulation");

@@ -43,6 +43,9 @@ class CellMesher {
   /// freezes.
   void clean_up_again(const CellSet& cells, const std::function<void(WorkMesh&)>& freeze);
 
+  /// Quads that the cells need at least, for the edges on their curves: no fewer than a row one quad wide.
+  /// @pre place_nodes() is done.
+  double least_quads() const;
   /// Cells that are halved as a fall-back.
   const CellSet& fallen_back() const { return fallen_back_; }
   /// Cells where a stage failed, in their order.

@@ -1,7 +1,6 @@
 #include "quadline/errors.hpp"
 
 #include <charconv>
-#include <string_view>
 
 #include "base/utf8.hpp"
 
@@ -23,14 +22,7 @@ std::string one_line(const std::string& message, const Where& where) {
   text += message;
   if (where.point) text += " at (" + text_of(where.point->x) + ", " + text_of(where.point->y) + ")";
   // Names come from files: one line, no codes for the terminal, and UTF-8 whatever the file holds.
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const std::size_t n = utf8_length(std::string_view(text).substr(i));
-    if (byte < 0x20 || byte == 0x7F) text[i] = ' ';
-    if (n == 0) text[i] = '?';
-    i += n == 0 ? 1 : n;
-  }
-  return text;
+  return printable(text, ' ', '?');
 }
 
 }  // namespace

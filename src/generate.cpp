@@ -1,6 +1,8 @@
 // The chain of attempts: all as asked; then, in the cells where that breaks the promise and only there, otherwise.
 #include "quadline/generate.hpp"
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "domain/arrange.hpp"
@@ -25,13 +27,18 @@ MeshResult generate(const Model& model, const Options& options, Context& context
   FallbackPlan plan(domain);
   CellCache cache(domain.cells.count());
   Attempt last = attempt_mesh(plan, options, cache, report, context);
+  if (last.too_many > 0) {
+    throw InputError("at least " + std::to_string(std::llround(last.too_many)) +
+                         " quads are needed, more than allowed: choose a larger size, or raise --max-quads",
+                     Where{model.file, {}, {}});
+  }
   MeshResult first;
   if (last.result.failure) first = last.result;
   bool is_limited = false;
   while (last.result.failure && plan.advance(last.troubles)) {
     const bool is_expected = expected_quads(plan.domain(), options) > options.max_quads;
     Attempt next = is_expected ? Attempt{} : attempt_mesh(plan, options, cache, report, context);
-    if (is_expected || static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) {
+    if (is_expected || next.too_many > 0 || static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) {
       is_limited = true;
       continue;
     }

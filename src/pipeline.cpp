@@ -37,6 +37,8 @@ class Pipeline {
     const SizeField size = clock_.run("sizing", [&] { return make_size_field(domain_, options_, context_); });
     CellMesher cells(domain_, size, plan_, options_, cache_, context_, clock_, observer());
     cells.place_nodes();
+    Attempt none;
+    if (none.too_many = cells.least_quads(); none.too_many > options_.max_quads) return none;
     cells.make_triangles();
     cells.make_quads();
     const std::size_t n_given = note_raw(cells);

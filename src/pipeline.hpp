@@ -15,6 +15,7 @@ struct Attempt {
   MeshResult result;              ///< without its report
   std::vector<Trouble> troubles;  ///< where `result.failure` is set; empty: no cell is to blame
   std::vector<Finding> findings;  ///< the cells that were not meshed as asked
+  double too_many = 0;            ///< not 0: so many quads are needed at least, more than allowed; no mesh was made
 };
 
 /// Once through the stages, from the size field to the verifier.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace quadline {
@@ -19,6 +21,31 @@ inline std::size_t utf8_length(std::string_view text) {
   if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F)) return 0;
   if ((lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F)) return 0;
   return n;
+}
+
+/// Is a UTF-8 character one that ends a line, steers a terminal, or that XML does not know?
+inline bool is_control(std::string_view character) {
+  const auto lead = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return lead < 0x20 || lead == 0x7F;
+  return (lead == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0) ||  // U+0080 to U+009F
+         character == "\u2028" || character == "\u2029" || character == "\uFFFE" || character == "\uFFFF";
+}
+
+/// The text with other characters in place of control characters and of bytes that are not UTF-8.
+inline std::string printable(std::string_view text, char for_control, char for_broken) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t n = utf8_length(text);
+    if (n == 0) {
+      out += for_broken;
+    } else if (is_control(text.substr(0, n))) {
+      out += for_control;
+    } else {
+      out += text.substr(0, n);
+    }
+    text.remove_prefix(std::max<std::size_t>(n, 1));
+  }
+  return out;
 }
 
 }  // namespace quadline

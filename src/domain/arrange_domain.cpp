@@ -6,6 +6,7 @@
 #include <set>
 
 #include "domain/arrange_work.hpp"
+#include "domain/unique_names.hpp"
 
 namespace quadline::arrangement {
 
@@ -151,11 +152,10 @@ class Builder {
   }
 
   void report_shared(std::uint32_t route, CurveId piece, std::set<std::pair<std::uint32_t, std::uint32_t>>& shared) {
-    for (const std::uint32_t other : joints_.routes[piece]) {
-      if (other >= route || !shared.insert({other, route}).second) continue;
-      find("'" + work_.routes[route].name + "' runs along '" + work_.routes[other].name + "': one curve for both",
-           work_.routes[route].where, work_.pieces[piece].curve.a);
-    }
+    const std::uint32_t first = joints_.routes[piece][0];
+    if (first == route || !shared.insert({first, route}).second) return;
+    find("'" + work_.routes[route].name + "' runs along '" + work_.routes[first].name + "': one curve for both",
+         work_.routes[route].where, work_.pieces[piece].curve.a);
   }
 
   std::uint32_t face_at(Point p) const {
@@ -171,7 +171,7 @@ class Builder {
     std::vector<bool> has_piece(work_.vertices.count(), false);
     for (const Piece& piece : work_.pieces) has_piece[piece.tail.value] = has_piece[piece.head.value] = true;
     IdVector<VertexId, std::uint32_t> first_use(work_.vertices.count(), UINT32_MAX);
-    std::set<std::string> names;
+    UniqueNames names;
     for (std::uint32_t i = 0; i < work_.model.points.size(); ++i) {
       const NamedPoint& point = work_.model.points[i];
       const std::string given = point.name.empty() ? "point-" + std::to_string(i + 1) : point.name;
@@ -185,8 +185,7 @@ class Builder {
         }
         out_.cells[cell].lone_points.push_back(vertex(v));
       }
-      std::string name = given;
-      for (int n = 2; !names.insert(name).second; ++n) name = given + "-" + std::to_string(n);
+      const std::string name = names.take(given);
       if (name != given) {
         find("the name '" + given + "' is given twice: the second is called '" + name + "'", point.where, point.at);
       }

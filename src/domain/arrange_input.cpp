@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "domain/arrange_work.hpp"
+#include "domain/unique_names.hpp"
 
 namespace quadline::arrangement {
 
@@ -24,6 +24,8 @@ constexpr double kRelativeTolerance = 8e-7;
 constexpr double kToleranceInSize = 1e-3, kMostInSize = 0.25;
 // Far from the origin the spacing of the numbers themselves counts.
 constexpr double kUnitsInTolerance = 0x1p-48;
+// So it does for the nodes round a tiny element.
+constexpr double kUnitsInSize = 0x1p-40;
 // An arc this much flatter than the tolerance is straight; its centre could not be computed.
 constexpr double kFlatArc = 1.0 / 16;
 // An arc of more than half a turn that is so many times larger than the domain is a mistake.
@@ -59,18 +61,33 @@ class Reader {
   }
 
   void read_sizes(const Options& options) {
-    const Model& model = work_.model;
-    work_.size = options.size.value_or(model.size);
-    check_size(work_.size, "the model", "/size");
-    for (const Line& line : model.lines) check_size(line.size, "line '" + line.name + "'", line.path.where);
-    for (const NamedPoint& point : model.points) check_size(point.size, "point '" + point.name + "'", point.where);
-    for (const Region& region : model.regions) check_size(region.size, "region '" + region.name + "'", region.where);
+    work_.size = options.size.value_or(work_.model.size);
+    for_each_size([&](double size, const std::string& what, const std::string& place) {
+      if (!(std::isfinite(size) && size > 0))
+        fail("the size of " + what + " is not a positive number: give the edge length wanted", place);
+    });
   }
 
-  void check_size(std::optional<double> size, const std::string& what, const std::string& place) const {
-    if (size && !(std::isfinite(*size) && *size > 0)) {
-      fail("the size of " + what + " is not a positive number: give the edge length wanted", place);
-    }
+  void check_sizes_beside(double farthest) const {
+    const double least = kUnitsInSize * farthest;
+    for_each_size([&](double size, const std::string& what, const std::string& place) {
+      if (size < least)
+        fail("the size of " + what + " is too small beside the coordinates: give " + digits(least) + " at least",
+             place);
+    });
+  }
+
+  // Calls visit(size, whose, place) for every size that is given.
+  template <class Visit>
+  void for_each_size(Visit visit) const {
+    const Model& model = work_.model;
+    visit(work_.size, std::string("the model"), std::string("/size"));
+    const auto see = [&](const char* kind, const std::string& name, std::optional<double> size, const std::string& at) {
+      if (size) visit(*size, name.empty() ? std::string("a ") + kind : kind + (" '" + name + "'"), at);
+    };
+    for (const Line& line : model.lines) see("line", line.name, line.size, line.path.where);
+    for (const NamedPoint& point : model.points) see("point", point.name, point.size, point.where);
+    for (const Region& region : model.regions) see("region", region.name, region.size, region.where);
   }
 
   void check_point(Point p, const std::string& place) const {
@@ -140,14 +157,12 @@ class Reader {
       fail("the domain is too small for its distance from the origin: move it nearer", work_.model.outer[0].where,
            b.lo);
     }
+    check_sizes_beside(farthest);
   }
 
   double least_size() const {
     double least = work_.size;
-    const auto see = [&least](std::optional<double> size) { least = std::min(least, size.value_or(kInfinity)); };
-    for (const Line& line : work_.model.lines) see(line.size);
-    for (const NamedPoint& point : work_.model.points) see(point.size);
-    for (const Region& region : work_.model.regions) see(region.size);
+    for_each_size([&](double size, const std::string&, const std::string&) { least = std::min(least, size); });
     return least;
   }
 
@@ -161,15 +176,12 @@ class Reader {
     work_.tolerance = std::max(tolerance, least);
   }
 
-  std::string unique_name(std::string name, const std::string& place, Point at) {
-    if (names_.insert(name).second) return name;
-    for (int i = 2;; ++i) {
-      std::string other = name + "-" + std::to_string(i);
-      if (!names_.insert(other).second) continue;
+  std::string unique_name(const std::string& name, const std::string& place, Point at) {
+    const std::string own = names_.take(name);
+    if (own != name)
       work_.findings.push_back(
-          {"the name '" + name + "' is given twice: the second is called '" + other + "'", place, at});
-      return other;
-    }
+          {"the name '" + name + "' is given twice: the second is called '" + own + "'", place, at});
+    return own;
   }
 
   static Point first_point(const Path& path) {
@@ -286,7 +298,7 @@ class Reader {
   Work work_;
   double diagonal_ = 0;  ///< of the box of the outer loops
   Route route_;
-  std::set<std::string> names_;
+  UniqueNames names_;
 };
 
 }  // namespace

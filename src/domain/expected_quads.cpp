@@ -25,6 +25,32 @@ double added_along(double curve_length, double h, double H, double slope) {
   return h < H ? curve_length * (H - h) * (H - h) / (slope * h * H * H) : 0;
 }
 
+/// The same all round a point: the integral of 1 / h^2 up to the radius where h is H, or that of the whole domain.
+double added_round(double h, double H, double slope, double area) {
+  if (!(h < H)) return 0;
+  const double far = h + std::min(H - h, slope * std::sqrt(area / std::numbers::pi));
+  return kFullTurn / (slope * slope) * (std::log(far / h) + h / far - 1);
+}
+
+double size_along(const Domain::Curve& curve, const Options& options) {
+  if (!curve.piece.is_arc()) return curve.size;
+  return std::min(curve.size, kFullTurn * curve.piece.radius / options.edges_per_circle);
+}
+
+/// By the sizes; but no fewer than a row one quad wide has with the edges on its curves.
+double expected_quads(const Domain& domain, const Domain::Cell& cell, const Options& options) {
+  const double area = area_of(domain, cell), H = cell.size;
+  double quads = area / (H * H), edges = 0;
+  for (const auto& walk : cell.walks)
+    for (const DirectedCurve& step : walk) {
+      const Domain::Curve& curve = domain.curves[step.curve];
+      const double along = length(curve.piece), h = std::min(H, size_along(curve, options));
+      edges += std::max(1.0, along / h);
+      quads += std::min(added_along(along, h, H, options.growth - 1), area / (h * h));
+    }
+  return std::max(quads, 0.5 * (edges - 2));
+}
+
 }  // namespace
 
 double area_of(const Domain& domain) {
@@ -35,13 +61,9 @@ double area_of(const Domain& domain) {
 
 double expected_quads(const Domain& domain, const Options& options) {
   double quads = 0;
-  for (const Domain::Cell& cell : domain.cells) quads += area_of(domain, cell) / (cell.size * cell.size);
-  for (const Domain::Curve& curve : domain.curves) {
-    double size = curve.size;
-    if (curve.piece.is_arc()) size = std::min(size, kFullTurn * curve.piece.radius / options.edges_per_circle);
-    for (const CellId side : {curve.left, curve.right})
-      if (side.valid()) quads += added_along(length(curve.piece), size, domain.cells[side].size, options.growth - 1);
-  }
+  for (const Domain::Cell& cell : domain.cells) quads += expected_quads(domain, cell, options);
+  for (const Domain::PointUse& point : domain.points)
+    quads += added_round(point.size, domain.size, options.growth - 1, area_of(domain));
   return options.method == Method::Split ? kQuadsOfSplit * quads : quads;
 }
 

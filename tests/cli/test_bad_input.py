@@ -1,7 +1,10 @@
 """Bad input: every model is either meshed, with a finding where something was mended, or refused in one line that says what and where."""
+import base64
 import json
 import random
+import struct
 import unittest
+import zlib
 
 from test_command_line import POLY, CommandLine
 
@@ -56,9 +59,10 @@ REFUSED = {
     "far from the origin": ({"size": 1, "outer": [[FAR + x, FAR + y] for x, y in PLATE]}, "/outer: the domain is too small for its distance from the origin: move it nearer at (1e+15, 1e+15)"),
     "a point far off": (plate(points=[{"at": [1e9, 0]}]), "/points/0: a point lies ten thousand times farther off than the domain is large: check its coordinates at (1e+09, 0)"),
     "an arc without shape": (plate(lines=[{"path": [[1, 1], {"to": [1, 1], "via": [2, 2]}]}]), "/lines/0/path/1: an arc ends where it starts: give a circle, or two arcs at (1, 1)"),
+    "a size too small for the coordinates": (plate(points=[{"name": "p", "at": [6, 4], "size": 1e-300}]), "/points/0: the size of point 'p' is too small beside the coordinates: give 1.1e-11 at least"),
     "a size of zero": (plate(size=0), "/size: expected a length above 0, found the number 0"),
     "a negative size": (plate(lines=[{"path": [[1, 1], [2, 2]], "size": -1}]), "/lines/0/size: expected a length above 0, found the number -1"),
-    "a denormal size": (plate(size=5e-324), "about inf quads are expected, more than 5e+07: choose a larger size, or raise --max-quads"),
+    "a denormal size": (plate(size=5e-324), "/size: the size of the model is too small beside the coordinates: give 1.1e-11 at least"),
     "a billion quads": (plate(size=3.1e-4), "about 1e+09 quads are expected, more than 5e+07: choose a larger size, or raise --max-quads"),
     "no size": ({"outer": PLATE}, "the model gives no target size: give --size H"),
     "a radius of zero": (plate(holes=[circle(5, 5, 0)]), "/holes/0/radius: expected a length above 0, found the number 0"),
@@ -182,12 +186,43 @@ class BadInput(CommandLine):
                 self.assert_refused(self.put_bytes("m.poly", text.encode()), message)
         self.assert_done(self.run_it("info", self.put("m.poly", POLY), "--size", "1"))
 
+    def test_an_array_that_inflates_to_far_more_than_a_mesh(self):
+        size = 1 << 26
+        block = zlib.compress(bytes(size), 9)
+        data = base64.b64encode(struct.pack("<4Q", 1, size, 0, len(block))) + base64.b64encode(block)
+        vtu = b"""<VTKFile type="UnstructuredGrid" byte_order="LittleEndian" header_type="UInt64" compressor="vtkZLibDataCompressor">
+<UnstructuredGrid><Piece NumberOfPoints="4" NumberOfCells="0"><Points>
+<DataArray type="Float64" NumberOfComponents="3" format="binary">%s</DataArray></Points></Piece></UnstructuredGrid></VTKFile>""" % data
+        done = self.run_it("check", self.put_bytes("bomb.vtu", vtu))
+        self.assert_done(done, 2)
+        self.assertIn("the arrays claim more bytes than a mesh of such a file can take", done.stderr)
+
     def test_the_estimate_counts_not_the_size(self):
         """--max-quads decides, whatever the size."""
         file = self.put("m.json", plate(size=0.05))
         self.assertIn("about 3.8e+04 quads are expected, more than 1000:",
                       self.run_it("mesh", file, "--json", "--max-quads", "1000").stderr)
         self.assert_done(self.run_it("mesh", file, "--json", "--max-quads", "4e4"))
+
+    def test_the_estimate_knows_lines_strips_and_growth(self):
+        across = [{"path": [[0.2 * i, 0], [0.2 * i, 8]]} for i in range(1, 60)]
+        along = [{"path": [[0, 0.13 * i], [12, 0.13 * i]]} for i in range(1, 60)]
+        fine = [{"path": [[1, 4], [11, 4]], "size": 1e-3}]
+        for model, about, options in [
+                (plate(size=100, lines=across + along), "3.6e+03", []),
+                ({"size": 1, "outer": [[0, 0], [2e4, 0], [2e4, 0.02], [0, 0.02]]}, "2e+04", []),
+                (plate(lines=fine), "1e+04", ["--growth", "1e6"]),
+                (plate(points=[{"at": [6, 4], "size": 1e-9}]), "7.7e+09", ["--growth", "1.0001"])]:
+            done = self.run_it("mesh", self.put("m.json", model), "--json", "--max-quads", "1000", *options)
+            self.assert_done(done, 2)
+            self.assertIn("about %s quads are expected, more than 1000:" % about, done.stderr)
+
+    def test_what_the_estimate_does_not_see_is_refused_before_the_triangles(self):
+        """A strip far thinner than the size: sizes follow its width."""
+        strip = {"size": 1, "outer": [[0, 0], [2e3, 0], [2e3, 0.02], [0, 0.02]]}
+        done = self.run_it("mesh", self.put("m.json", strip), "--json", "--max-quads", "3000")
+        self.assert_done(done, 2)
+        self.assertRegex(done.stderr, "at least [0-9]+ quads are needed, more than allowed: choose a larger size, or raise --max-quads")
 
 
 if __name__ == "__main__":

@@ -76,6 +76,13 @@ class CommandLine(unittest.TestCase):
 
 
 class Usage(CommandLine):
+    def test_help_that_nobody_gets(self):
+        for words in (["--help"], ["mesh", "--help"], ["--version"]):
+            with open("/dev/full", "wb") as full:
+                done = subprocess.run([QUADLINE] + words, stdout=full, stderr=subprocess.PIPE, timeout=60)
+            self.assertEqual(done.returncode, 4, words)
+            self.assertIn(b"standard output cannot be written", done.stderr)
+
     def test_version_and_help(self):
         done = self.run_it("--version")
         self.assert_done(done)
@@ -117,15 +124,27 @@ class Usage(CommandLine):
         self.assert_fails(2, a + ": the format '.xyz' is unknown: use .vtu, .msh, .inp, .svg or .json",
                           "mesh", self.plate, "-o", a)
         self.assert_fails(2, "expected a file to write: give -o FILE", "mesh", self.plate)
-        self.assert_fails(2, self.plate + ": would overwrite the model", "mesh", self.plate, "-o", self.plate)
+        self.assert_fails(2, self.plate + ": would overwrite what is read from it: choose another name", "mesh", self.plate, "-o", self.plate)
         b = self.path("b.vtu")
         self.assert_fails(2, b + ": is given twice", "mesh", self.plate, "-o", b, "-o", b)
+        self.assert_fails(2, os.path.relpath(b) + ": is given twice", "mesh", self.plate, "-o", b, "-o", os.path.relpath(b))
+        limits = self.path("limits.json")
+        self.assert_fails(2, limits + ": would overwrite what is read from it: choose another name", "mesh", self.plate, "-o", b, "--criteria", limits,
+                          "--report", limits)
+        poly, node = self.path("a.poly"), self.path("a.node")
+        self.assert_fails(2, node + ": would overwrite what is read from it: choose another name", "mesh", poly, "--report", node)
+        picture = self.path("a.svg")
+        self.assert_fails(2, picture + ": would overwrite what is read from it: choose another name", "draw", picture, "-o", picture)
+        self.assert_fails(2, "/dev/fd/1: is given twice", "mesh", self.plate, "-o", "vtu:/dev/stdout", "-o", "msh:/dev/fd/1")
+        self.assert_fails(2, "vtu:: no file is named behind the format", "mesh", self.plate, "-o", "vtu:")
+        self.assert_fails(2, "the name of a file to write is empty", "mesh", self.plate, "-o", "")
+        self.assert_fails(2, "--criteria: expected a name, found nothing: see 'quadline mesh --help'", "mesh", self.plate, "-o", b, "--criteria", "")
         self.assert_fails(2, b + ": is no picture: use .svg", "draw", b, "-o", b)
         png = self.path("b.png")
         self.assert_fails(2, png + ": is no picture: use .svg", "draw", b, "-o", png)
         self.assert_fails(2, "/dev/stdout: the format '' is unknown: use .vtu, .msh, .inp, .svg or .json, or name the "
                           "format: vtu:/dev/stdout", "mesh", self.plate, "-o", "/dev/stdout")
-        self.assert_fails(2, "standard output takes the mesh already: give --report FILE instead of --json",
+        self.assert_fails(2, "standard output takes a file already: give --report FILE instead of --json",
                           "mesh", self.plate, "-o", "vtu:/dev/stdout", "--json")
 
     def test_what_is_missing_is_named_with_the_command_that_lacks_it(self):

@@ -274,6 +274,20 @@ TEST(MeshVtu, ReadsTextAndBase64) {
   }
 }
 
+TEST(MeshVtu, RefusesCountsThatDoNotFitTheArrays) {
+  const std::string whole = square_vtu("format=\"ascii\"", "0 0 0 2 0 0 2 1 0 0 1 0");
+  const auto with = [&](const std::string& text, const std::string& other) {
+    std::string file = whole;
+    return file.replace(file.find(text), text.size(), other);
+  };
+  EXPECT_NE(message_of(parse_vtu, with("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"")).find("number of its points, 4"),
+            std::string::npos);
+  for (const char* count : {"2", "-1", "1000000000000000000", "99999999999999999999", "x"})
+    EXPECT_NE(message_of(parse_vtu, with("NumberOfCells=\"1\"", std::string("NumberOfCells=\"") + count + '"'))
+                  .find("NumberOfCells is"),
+              std::string::npos);
+}
+
 TEST(MeshVtu, RefusesWhatIsNotFlat) {
   const std::string tilted = square_vtu("format=\"ascii\"", "0 0 0 2 0 0 2 1 1 0 1 1");
   EXPECT_NE(message_of(parse_vtu, tilted).find("z goes from 0 to 1"), std::string::npos);
