@@ -175,13 +175,15 @@ TEST(Methods, MendTheFlatQuadsOfHalving) {
 TEST(FallbackChain, NothingTakesMoreQuadsThanAllowed) {
   Context context;
   Options options;
-  options.max_quads = 10;
+  options.max_quads = 100;  // more than the nodes on the curves call for, less than there will be
   const MeshResult result = generate(near_ends(), options, context);
   ASSERT_TRUE(result.failure);
   std::size_t n_attempts = 0;
   for (const StageTime& time : result.report.stages) n_attempts += time.stage == "sizing";
   EXPECT_EQ(n_attempts, 1u);  // as asked; all others are expected to need more
   EXPECT_EQ(result.report.findings.back().text, "what may help needs more quads than allowed");
+  options.max_quads = 10;
+  EXPECT_THROW(generate(near_ends(), options, context), InputError);
 }
 
 }  // namespace
