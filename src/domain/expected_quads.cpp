@@ -39,14 +39,14 @@ double size_along(const Domain::Curve& curve, const Options& options) {
 
 /// By the sizes; but no fewer than a row one quad wide has with the edges on its curves.
 double expected_quads(const Domain& domain, const Domain::Cell& cell, const Options& options) {
-  const double area = area_of(domain, cell), H = cell.size;
-  double quads = area / (H * H), edges = 0;
+  const double area = area_of(domain, cell), size = cell.size;
+  double quads = area / (size * size), edges = 0;
   for (const auto& walk : cell.walks)
     for (const DirectedCurve& step : walk) {
       const Domain::Curve& curve = domain.curves[step.curve];
-      const double along = length(curve.piece), h = std::min(H, size_along(curve, options));
+      const double along = length(curve.piece), h = std::min(size, size_along(curve, options));
       edges += std::max(1.0, along / h);
-      quads += std::min(added_along(along, h, H, options.growth - 1), area / (h * h));
+      quads += std::min(added_along(along, h, size, options.growth - 1), area / (h * h));
     }
   return std::max(quads, 0.5 * (edges - 2));
 }
