@@ -62,8 +62,9 @@ double area_of(const Domain& domain) {
 double expected_quads(const Domain& domain, const Options& options) {
   double quads = 0;
   for (const Domain::Cell& cell : domain.cells) quads += expected_quads(domain, cell, options);
+  const double area = area_of(domain);
   for (const Domain::PointUse& point : domain.points)
-    quads += added_round(point.size, domain.size, options.growth - 1, area_of(domain));
+    quads += added_round(point.size, domain.size, options.growth - 1, area);
   return options.method == Method::Split ? kQuadsOfSplit * quads : quads;
 }
 
