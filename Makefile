@@ -1,7 +1,7 @@
 # A thin face over CMake (see CMakePresets.json). `make help` lists the targets.
 QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
-SOURCES = $(shell find include src io draw cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
+SOURCES = $(shell find include src io cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
 .PHONY: help setup build demo test paper compare bench soak fuzz coverage format tidy clean
 help:

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "cli/console.hpp"
-#include "io/nearest_name.hpp"
-#include "io/number_text.hpp"
+#include "io/text/nearest_name.hpp"
+#include "io/text/number_text.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

@@ -2,8 +2,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
-#include "io/atomic_file.hpp"
 #include "io/mesh_io.hpp"
+#include "io/text/atomic_file.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

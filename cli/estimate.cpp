@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cli/console.hpp"
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "domain/expected_quads.hpp"
 #include "quadline/errors.hpp"
 

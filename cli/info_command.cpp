@@ -5,11 +5,11 @@
 #include "cli/console.hpp"
 #include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "domain/expected_quads.hpp"
-#include "io/names.hpp"
+#include "io/json/report_json.hpp"
 #include "io/read_model.hpp"
-#include "io/report_json.hpp"
+#include "io/text/names.hpp"
 
 namespace quadline {
 

@@ -15,12 +15,12 @@
 #include "cli/progress_bar.hpp"
 #include "cli/quality_table.hpp"
 #include "cli/threads.hpp"
-#include "io/atomic_file.hpp"
+#include "io/json/read_criteria.hpp"
+#include "io/json/report_json.hpp"
 #include "io/mesh_io.hpp"
-#include "io/names.hpp"
-#include "io/read_criteria.hpp"
 #include "io/read_model.hpp"
-#include "io/report_json.hpp"
+#include "io/text/atomic_file.hpp"
+#include "io/text/names.hpp"
 
 namespace quadline {
 

@@ -87,7 +87,7 @@ std::string line_table(std::vector<LineQuality> lines) {
                     fixed(line.beta_mean, 3), fixed(line.scaled_jacobian_min, 3), fixed(line.scaled_jacobian_mean, 3),
                     fixed(line.min_angle_deg, 0) + ".." + fixed(line.max_angle_deg, 0),
                     r ? fixed(r->min, 2) + ".." + fixed(r->max, 2) : "-", std::to_string(line.n_irregular),
-                    line.rungs_off_deg ? fixed(*line.rungs_off_deg, 1) : "-"});
+                    line.off_normal_deg ? fixed(*line.off_normal_deg, 1) : "-"});
   }
   std::string out = aligned(rows);
   if (n_left_out > 0) out += "  and " + counted(n_left_out, "better line", "better lines") + '\n';

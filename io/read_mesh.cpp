@@ -1,7 +1,7 @@
-#include "io/found_mesh.hpp"
+#include "io/found/found_mesh.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/mesh_io.hpp"
-#include "io/read_bytes.hpp"
+#include "io/text/read_bytes.hpp"
 
 namespace quadline {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/read_bytes.hpp"
-#include "io/read_model_formats.hpp"
+#include "io/model_formats.hpp"
+#include "io/text/read_bytes.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

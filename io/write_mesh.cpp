@@ -2,10 +2,10 @@
 #include <string_view>
 
 #include "base/check.hpp"
-#include "draw/svg.hpp"
-#include "io/atomic_file.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/mesh_io.hpp"
+#include "io/svg/svg.hpp"
+#include "io/text/atomic_file.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

@@ -5,12 +5,12 @@
 #include <string>
 #include <utility>
 
-#include "domain/arrange.hpp"
+#include "base/stage_clock.hpp"
+#include "cells/fallback.hpp"
+#include "cells/pipeline.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "domain/corners.hpp"
 #include "domain/expected_quads.hpp"
-#include "fallback.hpp"
-#include "pipeline.hpp"
-#include "stage_clock.hpp"
 
 namespace quadline {
 

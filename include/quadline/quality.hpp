@@ -72,8 +72,8 @@ struct LineQuality {
   double scaled_jacobian_mean = 0, scaled_jacobian_min = 0;
   double min_angle_deg = 0, max_angle_deg = 0;  ///< of the corners of its quads
   std::optional<LengthToSize> edge_to_size{};   ///< where the size is known
-  std::optional<double> rungs_off_deg{};  ///< mean of how far the free edges that leave it between its ends are from 90
-                                          ///< degrees to it; empty where there are none
+  std::optional<double> off_normal_deg{};  ///< mean of how far the free edges that leave it between its ends are from
+                                           ///< 90 degrees to it; empty where there are none
 };
 
 /// Table 2 of [Lee2003]: "excellent", "good", "marginal" or "unacceptable".

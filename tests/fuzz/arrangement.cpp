@@ -1,7 +1,7 @@
 // Arrangement, nodes on curves and triangulation on a small whole-number grid, where everything meets everything.
 #include "decode.hpp"
-#include "domain/arrange.hpp"
-#include "domain/size_field.hpp"
+#include "domain/arrange/arrange.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/errors.hpp"
 #include "stages/discretize/discretize.hpp"

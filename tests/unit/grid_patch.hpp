@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "domain/domain.hpp"
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 
 namespace quadline::shapes {

@@ -7,8 +7,8 @@ namespace quadline::cleanup {
 int least_cost(const Cavity& cavity) {
   int sum = cavity.inner_index;
   for (const Cavity::RimNode& r : cavity.rim) {
-    if (r.wish.second != 0) return 0;
-    sum += r.wish.ideal - r.inside - r.outside;
+    if (r.ideal.second != 0) return 0;
+    sum += r.ideal.ideal - r.inside - r.outside;
   }
   return std::abs(sum);
 }
@@ -20,7 +20,8 @@ int cost_after(const Cavity& cavity, const Replacement& replacement) {
   int sum = 0;
   for (std::size_t i = 0; i < quads.size(); ++i) {
     const bool is_rim = i < cavity.rim.size();
-    sum += is_rim ? valence_cost(cavity.rim[i].wish, cavity.rim[i].outside + quads[i]) : valence_cost(Wish{}, quads[i]);
+    sum += is_rim ? valence_cost(cavity.rim[i].ideal, cavity.rim[i].outside + quads[i])
+                  : valence_cost(IdealValence{}, quads[i]);
   }
   return sum;
 }
@@ -60,7 +61,7 @@ bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
       if (!mesh_.is_free(v)) return false;
       cavity.inner.push_back(v);
       const Sector sector = sectors_.at(topo.out(v));
-      cavity.cost += valence_cost(sector.wish, sector.quads);
+      cavity.cost += valence_cost(sector.ideal, sector.quads);
       cavity.inner_index += 4 - sector.quads;
     }
   }
@@ -79,10 +80,10 @@ bool CavityFinder::walk_rim(HalfId start, std::size_t n_rim, Cavity& cavity) {
     node.node = v;
     node.half = h;
     const Sector sector = sectors_.at(h);
-    node.wish = sector.wish;
+    node.ideal = sector.ideal;
     for (HalfId spoke = h; is_inside(spoke); spoke = topo.rotate_ccw(spoke)) ++node.inside;
     node.outside = sector.quads - node.inside;
-    cavity.cost += valence_cost(node.wish, sector.quads);
+    cavity.cost += valence_cost(node.ideal, sector.quads);
     cavity.rim.push_back(node);
     h = topo.next(h);
     while (is_inside(twin(h))) h = topo.next(twin(h));

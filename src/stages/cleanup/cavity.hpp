@@ -12,10 +12,10 @@ namespace quadline::cleanup {
 struct Cavity {
   struct RimNode {
     NodeId node;
-    HalfId half;      ///< rim half-edge that leaves the node, cavity on its left
-    Wish wish;        ///< of the sector that the cavity lies in
-    int inside = 0;   ///< quads of the sector in the cavity
-    int outside = 0;  ///< and the others
+    HalfId half;         ///< rim half-edge that leaves the node, cavity on its left
+    IdealValence ideal;  ///< of the sector that the cavity lies in
+    int inside = 0;      ///< quads of the sector in the cavity
+    int outside = 0;     ///< and the others
   };
   std::vector<FaceId> faces;
   std::vector<RimNode> rim;  ///< counter-clockwise

@@ -190,7 +190,7 @@ bool CleanUp::try_templates(const Cavity& cavity, bool must) {
   rim_costs_.clear();
   for (const Cavity::RimNode& r : cavity.rim) {
     TemplateTable::RimCosts c{};
-    for (int q = 1; q <= TemplateTable::kMaxRimQuads; ++q) c[q] = valence_cost(r.wish, r.outside + q);
+    for (int q = 1; q <= TemplateTable::kMaxRimQuads; ++q) c[q] = valence_cost(r.ideal, r.outside + q);
     rim_costs_.push_back(c);
   }
   table_.find(rim_costs_, cavity.cost + kBroken * n_broken, must ? kTriesBroken : kTries, matches_);

@@ -12,7 +12,7 @@ constexpr std::size_t kMostFaces = 150;
 constexpr int kMostRows = 20;
 constexpr int kMostStars = 40;  // taken in to make a patch convex again
 
-int wanted_inside(const Cavity::RimNode& r) { return r.wish.ideal - r.outside; }
+int wanted_inside(const Cavity::RimNode& r) { return r.ideal.ideal - r.outside; }
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void PatchGrower::describe_rim() {
     const bool is_corner = wanted_inside(r) < 2;
     rim_.push_back({mesh_.point(r.node), size_[r.node], is_corner});
     n_corners_ += is_corner;
-    rim_cost_ += valence_cost(r.wish, r.outside + (is_corner ? 1 : 2));
+    rim_cost_ += valence_cost(r.ideal, r.outside + (is_corner ? 1 : 2));
   }
 }
 

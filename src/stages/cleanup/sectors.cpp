@@ -16,37 +16,37 @@ constexpr double kWidestCorner = 165 * kDegree;  // a wider corner at a fixed no
 constexpr double kNearThreshold = 8 * kDegree;
 constexpr double kTie = 2 * kDegree;
 
-Wish wish_for(double angle) {
-  Wish wish;
-  wish.on_curve = true;
-  wish.least = static_cast<std::uint8_t>(std::max(1.0, std::ceil(angle / kWidestCorner)));
-  const int ideal = std::max<int>(wish.least, quads_for_angle(angle));
-  wish.ideal = static_cast<std::uint8_t>(ideal);
+IdealValence ideal_valence(double angle) {
+  IdealValence valence;
+  valence.on_curve = true;
+  valence.least = static_cast<std::uint8_t>(std::max(1.0, std::ceil(angle / kWidestCorner)));
+  const int ideal = std::max<int>(valence.least, quads_for_angle(angle));
+  valence.ideal = static_cast<std::uint8_t>(ideal);
   for (const double step : {-kNearThreshold, kNearThreshold}) {
     const int other = quads_for_angle(std::max(angle + step, kDegree));
-    if (other != ideal && other >= wish.least) wish.second = static_cast<std::uint8_t>(other);
+    if (other != ideal && other >= valence.least) valence.second = static_cast<std::uint8_t>(other);
   }
-  for (const double tie : {225 * kDegree, 315 * kDegree}) wish.is_tie |= std::abs(angle - tie) < kTie;
-  return wish;
+  for (const double tie : {225 * kDegree, 315 * kDegree}) valence.is_tie |= std::abs(angle - tie) < kTie;
+  return valence;
 }
 
 }  // namespace
 
-int valence_cost(const Wish& wish, int quads) {
-  const int off = std::abs(quads - wish.ideal);
+int valence_cost(const IdealValence& ideal, int quads) {
+  const int off = std::abs(quads - ideal.ideal);
   if (off == 0) return 0;
-  if (quads < wish.least) return wish.on_curve ? kBroken * (wish.least - quads) : 16 * (wish.least - quads);
-  if (quads == wish.second) return wish.is_tie ? 0 : 1;
-  if (wish.on_curve) return off == 1 ? 2 : 4 * off * off;
+  if (quads < ideal.least) return ideal.on_curve ? kBroken * (ideal.least - quads) : 16 * (ideal.least - quads);
+  if (quads == ideal.second) return ideal.is_tie ? 0 : 1;
+  if (ideal.on_curve) return off == 1 ? 2 : 4 * off * off;
   return off == 1 ? 1 : 4 * off * off;
 }
 
-Sectors::Sectors(const WorkMesh& mesh) : mesh_(mesh), wish_(2 * mesh.topo().edge_capacity()) {
+Sectors::Sectors(const WorkMesh& mesh) : mesh_(mesh), ideal_(2 * mesh.topo().edge_capacity()) {
   const Topology& topo = mesh.topo();
   for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
     const NodeId v(i);
     if (!topo.is_live(v) || mesh.is_free(v)) continue;
-    mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) { wish_[first] = wish_for(angle); });
+    mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) { ideal_[first] = ideal_valence(angle); });
   }
 }
 
@@ -65,7 +65,7 @@ Sector Sectors::at(HalfId h) const {
     ++sector.quads;
   }
   if (!mesh_.is_constraint(first)) return sector;
-  sector.wish = wish_[first];
+  sector.ideal = ideal_[first];
   for (HalfId last = topo.rotate_ccw(h); !mesh_.is_constraint(last); last = topo.rotate_ccw(last)) ++sector.quads;
   return sector;
 }
@@ -76,7 +76,7 @@ int Sectors::cost(NodeId v) const {
   if (!start.valid()) return 0;
   if (mesh_.is_free(v)) {
     const Sector s = at(start);
-    return valence_cost(s.wish, s.quads);
+    return valence_cost(s.ideal, s.quads);
   }
   int sum = 0;
   bool has_curve = false;
@@ -85,11 +85,11 @@ int Sectors::cost(NodeId v) const {
     has_curve = true;
     if (mesh_.is_outside(h)) return;
     const Sector s = at(h);
-    sum += valence_cost(s.wish, s.quads);
+    sum += valence_cost(s.ideal, s.quads);
   });
   if (has_curve) return sum;
   const Sector s = at(start);
-  return valence_cost(s.wish, s.quads);
+  return valence_cost(s.ideal, s.quads);
 }
 
 }  // namespace quadline::cleanup

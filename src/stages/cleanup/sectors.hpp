@@ -7,7 +7,7 @@
 namespace quadline::cleanup {
 
 /// What clean-up wants of a sector: the quads round an inner node, or between neighbouring constraint edges of a node.
-struct Wish {
+struct IdealValence {
   std::uint8_t ideal = 4;   ///< quads that suit the angle best
   std::uint8_t second = 0;  ///< nearly as good, where the angle lies near a threshold; 0: none
   std::uint8_t least = 3;   ///< fewer quads cannot be convex, or form a doublet
@@ -17,7 +17,7 @@ struct Wish {
 
 /// A sector and the quads it has now.
 struct Sector {
-  Wish wish;
+  IdealValence ideal;
   int quads = 0;
 };
 
@@ -26,7 +26,7 @@ struct Sector {
 constexpr int kBroken = 1000;
 
 /// Cost of a sector with `quads` quads: 0 is ideal; grows with the square of the difference.
-int valence_cost(const Wish& wish, int quads);
+int valence_cost(const IdealValence& ideal, int quads);
 
 /// The sectors of a mesh. The curves do not change during clean-up, so what their angles want is computed once.
 class Sectors {
@@ -40,7 +40,7 @@ class Sectors {
 
  private:
   const WorkMesh& mesh_;
-  IdVector<HalfId, Wish> wish_;  // by the first half-edge (clockwise end) of the sector
+  IdVector<HalfId, IdealValence> ideal_;  // by the first half-edge (clockwise end) of the sector
 };
 
 }  // namespace quadline::cleanup

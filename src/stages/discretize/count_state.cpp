@@ -7,39 +7,39 @@
 
 namespace quadline {
 
-double count_cost(const CountWish& wish, std::uint32_t count) {
-  const double n = count, off = n - wish.length;
-  return off * off / (n * wish.length);
+double count_cost(const CountTarget& target, std::uint32_t count) {
+  const double n = count, off = n - target.length;
+  return off * off / (n * target.length);
 }
 
-std::uint32_t best_count(const CountWish& wish, std::uint32_t parity) {
-  const double whole = std::floor(std::min(wish.length, 1e9));
-  std::uint32_t low = std::max(wish.least, static_cast<std::uint32_t>(whole));
-  if ((low & 1) != parity) low = low > wish.least ? low - 1 : low + 1;
-  return count_cost(wish, low + 2) < count_cost(wish, low) ? low + 2 : low;
+std::uint32_t best_count(const CountTarget& target, std::uint32_t parity) {
+  const double whole = std::floor(std::min(target.length, 1e9));
+  std::uint32_t low = std::max(target.least, static_cast<std::uint32_t>(whole));
+  if ((low & 1) != parity) low = low > target.least ? low - 1 : low + 1;
+  return count_cost(target, low + 2) < count_cost(target, low) ? low + 2 : low;
 }
 
-CountState::CountState(const IdVector<CurveId, CountWish>& wishes, const std::vector<Bay>& bays)
-    : wishes_(wishes), bays_(bays) {
-  parts_.fill(wishes.count(), [&](const auto& visit) {
-    for (std::uint32_t b = 0; b < bays.size(); ++b)
+CountState::CountState(const IdVector<CurveId, CountTarget>& targets, const std::vector<SubmappableFace>& submaps)
+    : targets_(targets), submaps_(submaps) {
+  parts_.fill(targets.count(), [&](const auto& visit) {
+    for (std::uint32_t b = 0; b < submaps.size(); ++b)
       for (std::uint32_t k = 0; k < 4; ++k)
-        for (CurveId c : bays[b].sides[k]) visit(c.value, Part{b, k});
+        for (CurveId c : submaps[b].sides[k]) visit(c.value, Part{b, k});
   });
 }
 
 void CountState::start(IdVector<CurveId, std::uint32_t> counts) {
   counts_ = std::move(counts);
-  sums_.assign(bays_.size(), {});
-  for (std::size_t b = 0; b < bays_.size(); ++b)
+  sums_.assign(submaps_.size(), {});
+  for (std::size_t b = 0; b < submaps_.size(); ++b)
     for (std::size_t k = 0; k < 4; ++k)
-      for (CurveId c : bays_[b].sides[k]) sums_[b][k] += counts_[c];
+      for (CurveId c : submaps_[b].sides[k]) sums_[b][k] += counts_[c];
 }
 
-std::int64_t CountState::gap(std::uint32_t bay, const std::array<std::int64_t, 4>& sums) const {
+std::int64_t CountState::gap(std::uint32_t submap, const std::array<std::int64_t, 4>& sums) const {
   std::int64_t sum = 0;
   for (std::size_t k = 0; k < 2; ++k)
-    if (bays_[bay].is_close[k]) sum += std::abs(sums[k] - sums[k + 2]);
+    if (submaps_[submap].is_close[k]) sum += std::abs(sums[k] - sums[k + 2]);
   return sum;
 }
 
@@ -47,7 +47,7 @@ void CountState::apply(const std::vector<Change>& changes, bool forward) {
   for (const Change& change : changes) {
     const std::int64_t step = static_cast<std::int64_t>(change.count) - counts_[change.curve];
     for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
-      sums_[p->bay][p->side] += forward ? step : -step;
+      sums_[p->submap][p->side] += forward ? step : -step;
   }
 }
 
@@ -56,17 +56,17 @@ bool CountState::try_changes(const std::vector<Change>& changes) {
   double cost = 0;
   touched_.clear();
   for (const Change& change : changes) {
-    const CountWish& wish = wishes_[change.curve];
-    cost += count_cost(wish, change.count) - count_cost(wish, counts_[change.curve]);
+    const CountTarget& target = targets_[change.curve];
+    cost += count_cost(target, change.count) - count_cost(target, counts_[change.curve]);
     for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
-      touched_.push_back(p->bay);
+      touched_.push_back(p->submap);
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   std::int64_t wider = 0;
-  for (std::uint32_t bay : touched_) wider -= gap(bay);
+  for (std::uint32_t submap : touched_) wider -= gap(submap);
   apply(changes, true);
-  for (std::uint32_t bay : touched_) wider += gap(bay);
+  for (std::uint32_t submap : touched_) wider += gap(submap);
   if (cost + kGapCost * static_cast<double>(wider) >= -kMinGain) {
     apply(changes, false);
     return false;

@@ -22,10 +22,10 @@ class Discretizer {
   }
 
   void choose_places() {
-    IdVector<CurveId, CountWish> wishes;
-    wishes.reserve(domain_.curves.count());
-    for (std::size_t i = 0; i < domain_.curves.count(); ++i) wishes.push_back(wish(CurveId(i)));
-    const IdVector<CurveId, std::uint32_t> counts = choose_counts(domain_, std::move(wishes));
+    IdVector<CurveId, CountTarget> targets;
+    targets.reserve(domain_.curves.count());
+    for (std::size_t i = 0; i < domain_.curves.count(); ++i) targets.push_back(target(CurveId(i)));
+    const IdVector<CurveId, std::uint32_t> counts = choose_counts(domain_, std::move(targets));
     places_.assign(counts.count(), {});
     lines_.assign(counts.count(), {});
     for (std::size_t i = 0; i < counts.count(); ++i) {
@@ -67,7 +67,7 @@ class Discretizer {
  private:
   /// Where all edges will be halved, the counts are those before: even round every cell, as pairs of triangles want.
   /// Else they are those of the mesh in the end.
-  CountWish wish(CurveId c) const {
+  CountTarget target(CurveId c) const {
     const double length = MetricLength(domain_.curves[c].piece, size_).total();
     const std::uint32_t least = size_.least_edges(c);
     if (all_halved_) return {length / 2, (least + 1) / 2};

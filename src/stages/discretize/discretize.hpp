@@ -4,7 +4,7 @@
 
 #include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 

@@ -56,15 +56,16 @@ class LabelForest {
   std::vector<std::uint8_t> label_;  ///< against that of `up_`
 };
 
-/// The curves that care most get their wish, as far as they close no cycle that others have settled. Those that must be
-/// even come first, and never stand against each other.
+/// The curves that care most get their target, as far as they close no cycle that others have settled. Those that must
+/// be even come first, and never stand against each other.
 IdVector<CurveId, std::uint32_t> first_counts(const Domain& domain, const CountState& state) {
   IdVector<CurveId, double> preference;  // > 0: odd
   std::vector<CurveId> order;
   for (std::size_t i = 0; i < domain.curves.count(); ++i) {
-    const CountWish& wish = state.wish(CurveId(i));
-    preference.push_back(wish.is_even ? -std::numeric_limits<double>::infinity()
-                                      : count_cost(wish, best_count(wish, 0)) - count_cost(wish, best_count(wish, 1)));
+    const CountTarget& target = state.target(CurveId(i));
+    preference.push_back(target.is_even
+                             ? -std::numeric_limits<double>::infinity()
+                             : count_cost(target, best_count(target, 0)) - count_cost(target, best_count(target, 1)));
     order.push_back(CurveId(i));
   }
   std::sort(order.begin(), order.end(), [&](CurveId a, CurveId b) {
@@ -76,7 +77,7 @@ IdVector<CurveId, std::uint32_t> first_counts(const Domain& domain, const CountS
   IdVector<CurveId, std::uint32_t> counts;
   for (std::size_t i = 0; i < domain.curves.count(); ++i) {
     const Domain::Curve& c = domain.curves[CurveId(i)];
-    counts.push_back(best_count(state.wish(CurveId(i)), forest.label(c.tail) ^ forest.label(c.head)));
+    counts.push_back(best_count(state.target(CurveId(i)), forest.label(c.tail) ^ forest.label(c.head)));
   }
   return counts;
 }
@@ -96,7 +97,7 @@ class Flips {
     for (std::size_t i = 0; i < domain_.vertices.count(); ++i) is_better |= flip(VertexId(i), VertexId());
     for (const Domain::Curve& c : domain_.curves) is_better |= flip(c.tail, c.head);
     for (std::size_t i = 0; i < domain_.curves.count(); ++i)
-      if (state_.is_in_bay(CurveId(i))) is_better |= step(CurveId(i), -2) || step(CurveId(i), 2);
+      if (state_.is_on_submap(CurveId(i))) is_better |= step(CurveId(i), -2) || step(CurveId(i), 2);
     return is_better;
   }
 
@@ -105,8 +106,8 @@ class Flips {
   bool gather(VertexId v, VertexId but) {
     for (auto c = curves_at_.begin(v.value); c != curves_at_.end(v.value); ++c) {
       if (domain_.curves[*c].tail == but || domain_.curves[*c].head == but) continue;
-      if (state_.wish(*c).is_even) return false;
-      changes_.push_back({*c, best_count(state_.wish(*c), 1 - (state_.count(*c) & 1))});
+      if (state_.target(*c).is_even) return false;
+      changes_.push_back({*c, best_count(state_.target(*c), 1 - (state_.count(*c) & 1))});
     }
     return true;
   }
@@ -114,10 +115,10 @@ class Flips {
     changes_.clear();
     return gather(u, v) && (!v.valid() || gather(v, u)) && state_.try_changes(changes_);
   }
-  /// A count that is two off its wish may make a bay equal.
+  /// A count that is two off its target may make a submappable face equal.
   bool step(CurveId c, int by) {
     const std::int64_t count = static_cast<std::int64_t>(state_.count(c)) + by;
-    if (count < std::max<std::int64_t>(1, state_.wish(c).least)) return false;
+    if (count < std::max<std::int64_t>(1, state_.target(c).least)) return false;
     changes_.assign(1, {c, static_cast<std::uint32_t>(count)});
     return state_.try_changes(changes_);
   }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "geom/curve.hpp"
 
 namespace quadline {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "stages/qmorph/front.hpp"
 #include "stages/qmorph/parity.hpp"
 

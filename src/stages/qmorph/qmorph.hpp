@@ -3,7 +3,7 @@
 #include <functional>
 #include <string_view>
 
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 #include "quadline/options.hpp"

@@ -12,9 +12,9 @@ void smooth(WorkMesh& mesh, const Domain& domain, const SizeField& size, const S
   smoothing::laplacian(stars, options, progress.part(0, 0.1));
   smoothing::untangle(stars, options, progress.part(0.1, 0.12));
   smoothing::optimize(stars, options, progress.part(0.12, 0.3));
-  smoothing::lift(stars, options, progress.part(0.3, 0.32));
-  smoothing::polish(stars, options, progress.part(0.32, 0.95));
-  if (options.criteria) smoothing::aim(stars, options, progress.part(0.95, 1));
+  smoothing::raise_least_sine(stars, options, progress.part(0.3, 0.32));
+  smoothing::raise_beta(stars, options, progress.part(0.32, 0.95));
+  if (options.criteria) smoothing::meet_criteria(stars, options, progress.part(0.95, 1));
   progress.report(1);
   stars.store(mesh);
 }

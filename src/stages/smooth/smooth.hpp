@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/domain.hpp"
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/context.hpp"
 #include "quadline/criteria.hpp"

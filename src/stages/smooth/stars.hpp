@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "domain/domain.hpp"
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 
 namespace quadline::smoothing {

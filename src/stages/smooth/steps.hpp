@@ -21,12 +21,12 @@ void untangle(Stars& stars, const SmoothOptions& options, const Progress& progre
 void optimize(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Raises the least sine round nodes where it is below the floor.
-void lift(Stars& stars, const SmoothOptions& options, const Progress& progress);
+void raise_least_sine(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Raises the geometric mean of beta.
-void polish(Stars& stars, const SmoothOptions& options, const Progress& progress);
+void raise_beta(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Moves nodes where quads fail the caller's criteria, so that they fail them by less, or not at all.
-void aim(Stars& stars, const SmoothOptions& options, const Progress& progress);
+void meet_criteria(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 }  // namespace quadline::smoothing

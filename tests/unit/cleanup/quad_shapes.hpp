@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "domain/size_field.hpp"
+#include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
 
 namespace quadline::shapes {

@@ -33,8 +33,8 @@ TEST(Sectors, OfInnerNodesWantFourQuads) {
   const WorkMesh mesh = shapes::grid(3, 3);
   const Sector s = sector_of(mesh, 5, 6);
   EXPECT_EQ(s.quads, 4);
-  EXPECT_EQ(s.wish.ideal, 4);
-  EXPECT_FALSE(s.wish.on_curve);
+  EXPECT_EQ(s.ideal.ideal, 4);
+  EXPECT_FALSE(s.ideal.on_curve);
   EXPECT_EQ(Sectors(mesh).cost(NodeId(5)), 0);
 }
 
@@ -45,11 +45,11 @@ TEST(Sectors, OfCurvesFollowTheAngle) {
   } rows[] = {{40, 1, 0, 1},  {90, 1, 0, 1},  {120, 1, 2, 1}, {130, 2, 1, 1}, {150, 2, 0, 1},
               {180, 2, 0, 2}, {215, 2, 3, 2}, {225, 3, 2, 2}, {270, 3, 0, 2}, {320, 4, 0, 2}};
   for (const auto& row : rows) {
-    const Wish wish = sector_of(wedge(row.degrees, 2), 0, 1).wish;
-    EXPECT_EQ(wish.ideal, row.ideal) << row.degrees;
-    EXPECT_EQ(wish.second, row.second) << row.degrees;
-    EXPECT_EQ(wish.least, row.least) << row.degrees;
-    EXPECT_TRUE(wish.on_curve);
+    const IdealValence ideal = sector_of(wedge(row.degrees, 2), 0, 1).ideal;
+    EXPECT_EQ(ideal.ideal, row.ideal) << row.degrees;
+    EXPECT_EQ(ideal.second, row.second) << row.degrees;
+    EXPECT_EQ(ideal.least, row.least) << row.degrees;
+    EXPECT_TRUE(ideal.on_curve);
   }
 }
 
@@ -57,8 +57,8 @@ TEST(Sectors, AtTheEndOfALineWantFourQuads) {
   const WorkMesh mesh = shapes::grid(4, 4, 1, {{11, 12}});
   const Sector end = sector_of(mesh, 12, 13);
   EXPECT_EQ(end.quads, 4);
-  EXPECT_EQ(end.wish.ideal, 4);
-  EXPECT_TRUE(end.wish.on_curve);
+  EXPECT_EQ(end.ideal.ideal, 4);
+  EXPECT_TRUE(end.ideal.on_curve);
 }
 
 TEST(Sectors, OnALineAreTwo) {
@@ -66,13 +66,13 @@ TEST(Sectors, OnALineAreTwo) {
   for (const std::size_t towards : {7, 17}) {
     const Sector side = sector_of(mesh, 12, towards);
     EXPECT_EQ(side.quads, 2);
-    EXPECT_EQ(side.wish.ideal, 2);
+    EXPECT_EQ(side.ideal.ideal, 2);
   }
   EXPECT_EQ(Sectors(mesh).cost(NodeId(12)), 0);
 }
 
 TEST(ValenceCost, GrowsWithTheDifference) {
-  const Wish inner;
+  const IdealValence inner;
   EXPECT_EQ(valence_cost(inner, 4), 0);
   EXPECT_EQ(valence_cost(inner, 5), valence_cost(inner, 3));
   EXPECT_GT(valence_cost(inner, 6), 2 * valence_cost(inner, 5));
@@ -81,7 +81,7 @@ TEST(ValenceCost, GrowsWithTheDifference) {
 }
 
 TEST(ValenceCost, OfAFlatSectorTopsEverything) {
-  const Wish flat = sector_of(wedge(180, 2), 0, 1).wish;
+  const IdealValence flat = sector_of(wedge(180, 2), 0, 1).ideal;
   EXPECT_EQ(valence_cost(flat, 1), kBroken);
   EXPECT_EQ(valence_cost(flat, 2), 0);
   EXPECT_GT(valence_cost(flat, 3), 0);
@@ -89,10 +89,10 @@ TEST(ValenceCost, OfAFlatSectorTopsEverything) {
 }
 
 TEST(ValenceCost, TakesBothNumbersWhereTheyAreEquallyGood) {
-  const Wish octagon = sector_of(wedge(225, 3), 0, 1).wish;
+  const IdealValence octagon = sector_of(wedge(225, 3), 0, 1).ideal;
   EXPECT_EQ(valence_cost(octagon, 3), 0);
   EXPECT_EQ(valence_cost(octagon, 2), 0);
-  const Wish near = sector_of(wedge(220, 3), 0, 1).wish;
+  const IdealValence near = sector_of(wedge(220, 3), 0, 1).ideal;
   EXPECT_EQ(valence_cost(near, 2), 1);
 }
 

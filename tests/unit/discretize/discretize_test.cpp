@@ -10,10 +10,10 @@
 #include <set>
 #include <utility>
 
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "geom/predicates.hpp"
 #include "stages/discretize/metric_length.hpp"
-#include "tests/unit/domain/size_shapes.hpp"
+#include "tests/unit/domain/size/size_shapes.hpp"
 
 namespace quadline {
 namespace {
@@ -185,7 +185,7 @@ TEST(Discretize, LineSizeAndGrowthHoldAlongTheCurves) {
 }
 
 TEST(Discretize, OppositeSidesOfFourSidedCellsGetEqualCounts) {
-  // A row of bays between two lines that are not quite parallel; wishes from 4.3 to 5.2.
+  // A row of submappable faces between two lines that are not quite parallel; targets from 4.3 to 5.2.
   std::vector<Point> points;
   std::vector<shapes::Link> links;
   for (std::size_t i = 0; i <= 6; ++i) {
@@ -201,7 +201,7 @@ TEST(Discretize, OppositeSidesOfFourSidedCellsGetEqualCounts) {
   const WorkMesh mesh = nodes_of(domain);
   expect_sound(domain, mesh);
   const std::vector<unsigned> n = counts(domain, mesh);
-  // Links: the first upright, then for each bay its right upright, floor and roof.
+  // Links: the first upright, then for each submappable face its right upright, floor and roof.
   for (std::size_t i = 1; i <= 6; ++i) {
     EXPECT_EQ(n[3 * i - 2], n[i == 1 ? 0 : 3 * i - 5]) << i;
     EXPECT_EQ(n[3 * i - 1], n[3 * i]) << i;

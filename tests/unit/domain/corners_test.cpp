@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 
 namespace quadline {
 namespace {

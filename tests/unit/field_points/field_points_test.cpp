@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/field_points/insertion.hpp"
 #include "stages/triangulate/triangulate.hpp"

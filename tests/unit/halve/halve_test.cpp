@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "domain/arrange.hpp"
-#include "domain/size_field.hpp"
+#include "domain/arrange/arrange.hpp"
+#include "domain/size/size_field.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/field_points/field_points.hpp"
 #include "stages/triangulate/triangulate.hpp"

@@ -1,4 +1,4 @@
-#include "io/atomic_file.hpp"
+#include "io/text/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/read_model_formats.hpp"
+#include "io/model_formats.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/read_model_formats.hpp"
+#include "io/model_formats.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {

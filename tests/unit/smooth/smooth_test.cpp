@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flatten.hpp"
+#include "cells/flatten.hpp"
 #include "quadline/quality.hpp"
 #include "stages/verify/verify.hpp"
 #include "unit/grid_patch.hpp"

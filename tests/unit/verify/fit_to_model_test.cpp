@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "domain/arrange.hpp"
+#include "domain/arrange/arrange.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace quadline {

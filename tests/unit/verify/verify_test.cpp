@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "flatten.hpp"
+#include "cells/flatten.hpp"
 #include "unit/grid_patch.hpp"
 
 namespace quadline {
