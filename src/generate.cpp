@@ -35,10 +35,10 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
 
   const SizeField size = clock.run("sizing", context, [&] { return make_size_field(domain, options, context); });
   const CurveNodes nodes =
-      clock.run("discretize", context, [&] { return CurveNodes(domain, size, plan.halved_cells(options), context); });
+      clock.run("discretize", context, [&] { return CurveNodes(domain, size, plan.halved_cells(), context); });
   if (attempt.too_many = limit.refuse_at_least(nodes.least_quads()); !attempt.too_many.empty()) return attempt;
 
-  CellMeshes cells(plan, nodes, size, options, cache, clock, context);  // mesh_cell for each
+  CellMeshes cells(plan, nodes, size, cache, clock, context);  // mesh_cell for each
   result.report.before_smoothing =
       clock.run("measure", context, [&] { return measure(flatten(cells.take_raw(), domain)); });
   WorkMesh mesh;
@@ -79,7 +79,7 @@ Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache
 
 MeshResult generate(const Model& model, const Options& options, Context& context) {
   StageClock clock;
-  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }));
+  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
   CellCache cache(plan.domain().cells.count());
   Attempt last = attempt_mesh(plan, options, cache, clock, context);
   if (!last.too_many.empty()) throw InputError(last.too_many, Where{model.file, {}, {}});

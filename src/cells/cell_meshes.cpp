@@ -30,9 +30,9 @@ SpacedSizes spaced_sizes(const IdVector<CellId, Recipe>& recipes, const SizeFiel
   return sizes;
 }
 
-IdVector<CellId, Recipe> recipes_of(const FallbackPlan& plan, const Options& options) {
+IdVector<CellId, Recipe> recipes_of(const FallbackPlan& plan) {
   IdVector<CellId, Recipe> recipes;
-  for (std::size_t i = 0; i < plan.domain().cells.count(); ++i) recipes.push_back(plan.recipe(CellId(i), options));
+  for (std::size_t i = 0; i < plan.domain().cells.count(); ++i) recipes.push_back(plan.recipe(CellId(i)));
   return recipes;
 }
 
@@ -46,14 +46,14 @@ WorkMesh joined_of(const IdVector<CellId, CellResult>& results, MeshOf mesh_of) 
 
 }  // namespace
 
-CellMeshes::CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const SizeField& size, const Options& options,
-                       CellCache& cache, StageClock& clock, const Context& context)
+CellMeshes::CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const SizeField& size, CellCache& cache,
+                       StageClock& clock, const Context& context)
     : plan_(plan),
       nodes_(nodes),
       cache_(cache),
       clock_(clock),
       context_(context),
-      recipes_(recipes_of(plan, options)),
+      recipes_(recipes_of(plan)),
       sizes_(spaced_sizes(recipes_, size)),
       results_(plan.domain().cells.count()) {
   CellSet all;

@@ -11,7 +11,6 @@
 #include "domain/cell_set.hpp"
 #include "domain/size/size_field.hpp"
 #include "quadline/context.hpp"
-#include "quadline/options.hpp"
 
 namespace quadline {
 
@@ -22,8 +21,8 @@ class CellMeshes {
   /// stages. What is passed must outlive this.
   /// @param cache  of earlier attempts; gets the cells of this one, unless it is the first.
   /// @throws Cancelled when `context` asks for it.
-  CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const SizeField& size, const Options& options,
-             CellCache& cache, StageClock& clock, const Context& context);
+  CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const SizeField& size, CellCache& cache,
+             StageClock& clock, const Context& context);
 
   /// Cells without a mesh, in their order.
   std::vector<Trouble> troubles() const;

@@ -33,22 +33,22 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
 
 }  // namespace
 
-FallbackPlan::FallbackPlan(Domain domain)
-    : domain_(std::move(domain)), rung_(domain_.cells.count(), 0), why_(rung_.count()) {
+FallbackPlan::FallbackPlan(Domain domain, const Options& options)
+    : domain_(std::move(domain)), options_(options), rung_(domain_.cells.count(), 0), why_(rung_.count()) {
   for (const Domain::Cell& cell : domain_.cells) asked_.cells.push_back(cell.size);
   for (const Domain::Curve& curve : domain_.curves) asked_.curves.push_back(curve.size);
   for (const Domain::PointUse& point : domain_.points) asked_.points.push_back(point.size);
 }
 
-Recipe FallbackPlan::recipe(CellId c, const Options& options) const {
-  const bool is_front = options.triangles != Triangles::Delaunay;
+Recipe FallbackPlan::recipe(CellId c) const {
+  const bool is_front = options_.triangles != Triangles::Delaunay;
   Recipe recipe;
-  recipe.method = options.method;
+  recipe.method = options_.method;
   recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
-  recipe.lines = options.lines;
+  recipe.lines = options_.lines;
   recipe.keeps_thin_quads = rung(c).is_halved;
-  if (rung(c).is_halved && options.method == Method::QMorph) recipe.method = Method::Merge;
-  recipe.may_retry = recipe.method == Method::QMorph && options.triangles == Triangles::Both && !is_changed(c);
+  if (rung(c).is_halved && options_.method == Method::QMorph) recipe.method = Method::Merge;
+  recipe.may_retry = recipe.method == Method::QMorph && options_.triangles == Triangles::Both && !is_changed(c);
   return recipe;
 }
 
@@ -69,10 +69,10 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   return advanced;
 }
 
-CellSet FallbackPlan::halved_cells(const Options& options) const {
+CellSet FallbackPlan::halved_cells() const {
   CellSet cells;
   for (std::size_t i = 0; i < rung_.count(); ++i)
-    if (const CellId c(i); recipe(c, options).method != Method::QMorph) cells.insert(c);
+    if (const CellId c(i); recipe(c).method != Method::QMorph) cells.insert(c);
   return cells;
 }
 

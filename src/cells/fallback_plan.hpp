@@ -33,7 +33,8 @@ static_assert(kRungs[kFirstHalving].is_halved && !kRungs[kFirstHalving - 1].is_h
 /// Which cells are meshed otherwise than asked, and why.
 class FallbackPlan {
  public:
-  explicit FallbackPlan(Domain domain);
+  /// @param options  as the user gave them; must outlive this.
+  FallbackPlan(Domain domain, const Options& options);
 
   /// Takes the cells in trouble a rung further; straight to halving where a quad is thin, and beside cells that are
   /// halved, as what troubles one mostly troubles the other.
@@ -45,9 +46,9 @@ class FallbackPlan {
   bool any_halved() const;                                  ///< as a fall-back
   bool is_first() const { return attempts_ == 1; }          ///< all cells as asked
   /// Cells whose edges will be halved: as a fall-back, or because the method does it.
-  CellSet halved_cells(const Options& options) const;
+  CellSet halved_cells() const;
   /// How the cell is meshed now.
-  Recipe recipe(CellId c, const Options& options) const;
+  Recipe recipe(CellId c) const;
   /// The domain with the sizes of the plan.
   const Domain& domain() const { return domain_; }
   /// A finding for each cell that was not meshed as asked, at a place inside it.
@@ -64,6 +65,7 @@ class FallbackPlan {
   std::string name_of(CellId c) const;
 
   Domain domain_;
+  const Options& options_;
   Sizes asked_;  ///< of the domain as it came
   IdVector<CellId, std::size_t> rung_;
   IdVector<CellId, std::string> why_;  ///< the first reason

@@ -18,7 +18,8 @@ class Fallback : public testing::Test {
  protected:
   Context context_;
   Domain domain_ = arrange(shapes::two_cells(), {}, context_);
-  FallbackPlan plan_{domain_};
+  const Options options_;
+  FallbackPlan plan_{domain_, options_};
   CellCache cache_{domain_.cells.count()};
   StageClock clock_;
 
@@ -26,7 +27,7 @@ class Fallback : public testing::Test {
   void take_left_to(std::size_t rung) {
     for (std::size_t i = 0; i < rung; ++i) ASSERT_TRUE(plan_.advance({{left(), "it looks bad", {2, 3}}}));
   }
-  Attempt attempt(const Options& options = {}) { return attempt_mesh(plan_, options, cache_, clock_, context_); }
+  Attempt attempt() { return attempt_mesh(plan_, options_, cache_, clock_, context_); }
   static std::size_t n_right(const Mesh& mesh) {
     std::size_t n = 0;
     for (const auto& q : mesh.quads) n += mesh.points[q[0]].x + mesh.points[q[2]].x > 8;
@@ -151,10 +152,11 @@ TEST(FallbackChain, EndsWithAValidMeshAndAFindingForTheCell) {
 TEST(FallbackChain, AThinQuadTakesItsCellStraightToHalving) {
   Context context;
   const Domain domain = arrange(near_ends(), {}, context);
-  FallbackPlan plan(domain);
+  const Options options;
+  FallbackPlan plan(domain, options);
   CellCache cache(domain.cells.count());
   StageClock clock;
-  const Attempt first = attempt_mesh(plan, {}, cache, clock, context);
+  const Attempt first = attempt_mesh(plan, options, cache, clock, context);
   ASSERT_EQ(first.troubles.size(), 1u);
   EXPECT_TRUE(first.troubles[0].is_thin);
   ASSERT_TRUE(plan.advance(first.troubles));
