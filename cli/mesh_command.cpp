@@ -34,41 +34,42 @@ std::size_t peak_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Seconds and memory of the stages, from the first word that each sends.
+/// Seconds and memory of what a run does, from the first word that each stage sends.
 class StageWatch {
  public:
   void enter(std::string_view stage) {
-    if (!stages_.empty() && stages_.back().stage == stage) return;
+    if (!seen_.empty() && seen_.back().stage == stage) return;
     leave();
-    stages_.push_back({std::string(stage), 0, 0});
+    seen_.push_back({std::string(stage), 0, 0});
     start_ = Clock::now();
     is_open_ = true;
   }
 
   void leave() {
     if (!is_open_) return;
-    stages_.back().elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
-    stages_.back().peak_bytes = peak_bytes();
+    seen_.back().elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    seen_.back().peak_bytes = peak_bytes();
     is_open_ = false;
   }
 
-  /// The mesher's own times, which leave out what the snapshots take. Stages of further attempts follow in order.
-  void correct(const std::vector<StageTime>& times) {
-    auto use = stages_.begin();
+  /// What was seen, with the mesher's own times, which leave out what the snapshots take. The stages inside the cells,
+  /// which run at the same time, share the memory that all cells had.
+  std::vector<StageUse> stages(const std::vector<StageTime>& times) const {
+    std::vector<StageUse> all{seen_.front()};
+    std::size_t at = 0;
     for (const StageTime& time : times) {
-      const auto found = std::find_if(use, stages_.end(), [&](const StageUse& u) { return u.stage == time.stage; });
-      if (found == stages_.end()) continue;
-      found->elapsed_s = time.elapsed_s;
-      use = found + 1;
+      if (at + 1 < seen_.size() && (seen_[at + 1].stage == time.stage || seen_[at + 1].stage == "cells")) ++at;
+      all.push_back({time.stage, time.elapsed_s, seen_[at].peak_bytes});
     }
+    all.insert(all.end(), seen_.begin() + static_cast<std::ptrdiff_t>(at) + 1, seen_.end());
+    return all;
   }
 
-  const std::vector<StageUse>& stages() const { return stages_; }
   double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - born_).count(); }
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::vector<StageUse> stages_;
+  std::vector<StageUse> seen_;  ///< the first is no stage of the mesher
   Clock::time_point born_ = Clock::now(), start_ = born_;
   bool is_open_ = false;
 };
@@ -180,7 +181,6 @@ int run(const MeshArguments& arguments) {
   Context context;
   context.run_all = run_on_threads(arguments.threads);
   context.is_cancelled = is_interrupted;
-  refuse_too_large(run.model, run.options, run.options.max_quads, context);
   std::mutex progress;
   context.on_progress = [&](std::string_view stage, double fraction) {
     const std::lock_guard lock(progress);
@@ -190,7 +190,6 @@ int run(const MeshArguments& arguments) {
   if (snapshots) context.on_snapshot = [&](std::string_view name, const Mesh& mesh) { snapshots->write(name, mesh); };
   run.result = generate(run.model, run.options, context);
   watch.leave();
-  watch.correct(run.result.report.stages);
 
   if (run.options.criteria) run.criteria = evaluate(run.result.mesh, *run.options.criteria, run.result.edge_sizes);
 
@@ -199,7 +198,7 @@ int run(const MeshArguments& arguments) {
   bar.show("write", 0);
   if (writes) write_files(arguments, run, watch);
   bar.clear();
-  run.stages = watch.stages();
+  run.stages = watch.stages(run.result.report.stages);
   run.elapsed_s = watch.elapsed_s();
   if (writes && !arguments.report.empty()) write_atomically(arguments.report, report_json(run));
   print_findings(run.result.report.findings, run.model.file, arguments.quiet);
