@@ -46,6 +46,7 @@ test: setup
 paper: setup
 	@$(MAKE) --no-print-directory build
 	@$(PYTHON) scripts/paper_table.py $(QUADLINE)
+	@$(QUADLINE) mesh examples/plate/plate.json -o docs/images/plate.svg --quiet
 
 hard: setup
 	@$(MAKE) --no-print-directory build
