@@ -29,10 +29,9 @@ COLUMNS = ("model", "paper: beta before smoothing", "after", "Quadline: beta bef
            "mean SJ", "irregular nodes")
 
 
-def mesh(quadline, name):
-    """The report of the run; the picture goes to docs/images."""
+def mesh(quadline, name, picture):
+    """The report of the run."""
     model = os.path.join(ROOT, "models", "paper", name + ".json")
-    picture = os.path.join(ROOT, "docs", "images", name + ".svg")
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
         done = subprocess.run([quadline, "mesh", model, "-o", picture, "--report", report, "--quiet"])
@@ -51,9 +50,12 @@ def row(name, report):
             "%d (%.1f %%)" % (after["irregular_nodes"], 100 * after["irregular_nodes"] / after["nodes"])]
 
 
+def line(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
 def markdown(rows):
-    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
-    return "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
+    return line(COLUMNS) + "|" + "---|" * len(COLUMNS) + "\n" + "".join(map(line, rows))
 
 
 def pictures(folder):
@@ -65,8 +67,9 @@ def pictures(folder):
 
 def main():
     quadline = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release", "quadline"))
-    os.makedirs(os.path.join(ROOT, "docs", "images"), exist_ok=True)
-    reports = {name: mesh(quadline, name) for name in PAPER}
+    images = os.path.join(ROOT, "docs", "images")
+    os.makedirs(images, exist_ok=True)
+    reports = {name: mesh(quadline, name, os.path.join(images, name + ".svg")) for name in PAPER}
     table = markdown([row(name, reports[name]) for name in PAPER])
     print(table, end="")
     print("\nseconds: " + ", ".join("%s %.2f" % (name, report["seconds"]) for name, report in reports.items()))
