@@ -1,60 +1,107 @@
-// The chain of attempts: all as asked; then, in the cells where that breaks the promise and only there, otherwise.
+// The pipeline of [Lee2003, Fig. 3], cell by cell, and round it the chain of attempts: all as asked; then, in the cells
+// where that breaks the promise and only there, otherwise.
 #include "quadline/generate.hpp"
 
-#include <cmath>
-#include <string>
+#include <optional>
 #include <utility>
 
-#include "base/stage_clock.hpp"
-#include "cells/fallback.hpp"
-#include "cells/pipeline.hpp"
+#include "cells/attempt.hpp"
+#include "cells/cell_meshes.hpp"
+#include "cells/flatten.hpp"
+#include "cells/quad_limit.hpp"
 #include "domain/arrange/arrange.hpp"
-#include "domain/corners.hpp"
-#include "domain/expected_quads.hpp"
+#include "domain/size/edge_sizes.hpp"
+#include "inspect/fill_report.hpp"
+#include "stages/smooth/smooth.hpp"
+#include "stages/verify/verify.hpp"
 
 namespace quadline {
 
-MeshResult generate(const Model& model, const Options& options, Context& context) {
-  Report report;
-  const Domain domain = StageClock(report, context).run("arrange", [&] { return arrange(model, options, context); });
-  report.tolerance = domain.tolerance;
-  report.n_cells = domain.cells.count();
-  report.n_curves = domain.curves.count();
-  report.n_vertices = domain.vertices.count();
-  report.findings = domain.findings;
-  report.corners = corners_of(domain);
+namespace {
 
-  FallbackPlan plan(domain);
-  CellCache cache(domain.cells.count());
-  Attempt last = attempt_mesh(plan, options, cache, report, context);
-  if (last.too_many > 0) {
-    throw InputError("at least " + std::to_string(std::llround(last.too_many)) +
-                         " quads are needed, more than allowed: choose a larger size, or raise --max-quads",
-                     Where{model.file, {}, {}});
+Attempt failed(std::vector<Trouble> troubles, Failure failure, Attempt attempt = {}) {
+  attempt.result.failure = std::move(failure);
+  attempt.troubles = std::move(troubles);
+  return attempt;
+}
+
+Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& cache, StageClock& clock,
+                   Context& context) {
+  const Domain& domain = plan.domain();
+  const QuadLimit limit(options);
+  Attempt attempt;
+  MeshResult& result = attempt.result;
+  if (attempt.too_many = limit.refuse_expected(domain); !attempt.too_many.empty()) return attempt;
+
+  const SizeField size = clock.run("sizing", context, [&] { return make_size_field(domain, options, context); });
+  const CurveNodes nodes =
+      clock.run("discretize", context, [&] { return CurveNodes(domain, size, plan.halved_cells(), context); });
+  if (attempt.too_many = limit.refuse_at_least(nodes.least_quads()); !attempt.too_many.empty()) return attempt;
+
+  CellMeshes cells(plan, nodes, size, cache, clock, context);  // mesh_cell for each
+  result.report.before_smoothing =
+      clock.run("measure", context, [&] { return measure(flatten(cells.take_raw(), domain)); });
+  WorkMesh mesh;
+  do {
+    if (const auto troubles = cells.troubles(); !troubles.empty())
+      return failed(troubles, {"internal", troubles[0].reason, troubles[0].at}, std::move(attempt));
+    mesh = clock.run("join", context, [&] { return cells.take_joined(); });
+    if (context.on_snapshot) context.on_snapshot("clean-up", flatten(mesh, domain));
+    clock.run("smooth", context, [&] { smooth(mesh, domain, size, {.criteria = options.criteria}, context); });
+    mesh.thaw();
+  } while (cells.mesh_spoiled_again(mesh));
+
+  result.mesh = flatten(mesh, domain);
+  if (attempt.too_many = limit.refuse_made(result.mesh.quads.size()); !attempt.too_many.empty()) return attempt;
+  result.failure = clock.run("verify", context, [&] { return verify(result.mesh, domain, context); });
+  if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
+  if (result.failure) {
+    attempt.troubles = unsound_cells(mesh);
+    if (attempt.troubles.empty()) attempt.troubles = troubles_at(domain, result.failure->at, result.failure->reason);
+  } else {
+    result.edge_sizes = edge_sizes(result.mesh, size);
+    result.report.findings = plan.findings(mesh);
   }
-  MeshResult first;
+  return attempt;
+}
+
+}  // namespace
+
+Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache& cache, StageClock& clock,
+                     Context& context) {
+  try {
+    return run_stages(plan, options, cache, clock, context);
+  } catch (const InternalError& error) {
+    const std::optional<Point> at = error.where().point;
+    return failed(troubles_at(plan.domain(), at, error.what()), {"internal", error.what(), at.value_or(Point{})});
+  }
+}
+
+MeshResult generate(const Model& model, const Options& options, Context& context) {
+  StageClock clock;
+  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
+  CellCache cache(plan.domain().cells.count());
+  Attempt last = attempt_mesh(plan, options, cache, clock, context);
+  if (!last.too_many.empty()) throw InputError(last.too_many, Where{model.file, {}, {}});
+
+  std::optional<MeshResult> first;
   if (last.result.failure) first = last.result;
   bool is_limited = false;
   while (last.result.failure && plan.advance(last.troubles)) {
-    const bool is_expected = expected_quads(plan.domain(), options) > options.max_quads;
-    Attempt next = is_expected ? Attempt{} : attempt_mesh(plan, options, cache, report, context);
-    if (is_expected || next.too_many > 0 || static_cast<double>(next.result.mesh.quads.size()) > options.max_quads) {
-      is_limited = true;
-      continue;
-    }
-    last = std::move(next);
+    Attempt next = attempt_mesh(plan, options, cache, clock, context);
+    is_limited |= !next.too_many.empty();
+    if (next.too_many.empty()) last = std::move(next);
   }
-  std::vector<Finding>& found = last.findings;
   if (last.result.failure) {
-    found = plan.failures(last.troubles);
-    if (is_limited) found.push_back({"what may help needs more quads than allowed", {}, first.failure->at});
-    last.result = std::move(first);
-    report.quality = measure(last.result.mesh);
-    report.lines = measure_lines(last.result.mesh);
-    report.worst = worst_quads(last.result.mesh, report.corners);
+    last.result = std::move(*first);
+    last.result.report.findings = plan.failures(last.troubles);
+    if (is_limited)
+      last.result.report.findings.push_back(
+          {"what may help needs more quads than allowed", {}, last.result.failure->at});
   }
-  report.findings.insert(report.findings.end(), found.begin(), found.end());
-  last.result.report = std::move(report);
+  describe_domain(plan.domain(), last.result.report);
+  clock.run("measure", context, [&] { measure_result(last.result); });
+  last.result.report.stages = std::move(clock.times());
   return std::move(last.result);
 }
 

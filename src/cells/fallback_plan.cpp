@@ -1,34 +1,19 @@
-#include "cells/fallback.hpp"
+#include "cells/fallback_plan.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "cells/thin_quads.hpp"
-#include "domain/cell_locator.hpp"
-#include "domain/cell_set.hpp"
 
 namespace quadline {
 
 namespace {
 
 constexpr std::size_t kMostAttempts = 24;
-constexpr double kThin = 0.03;  // least over greatest distance between two corners of a quad
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);
   return 0.5 * cross(p[2] - p[0], p[3] - p[1]);
-}
-
-bool is_thin(const WorkMesh& mesh, FaceId f) {
-  const Polygon p = mesh.topo().polygon(f);
-  double least2 = std::numeric_limits<double>::infinity(), most2 = 0;
-  for (int i = 0; i < p.n; ++i)
-    for (int k = 0; k < i; ++k) {
-      const double apart2 = norm2(mesh.point(p.nodes[i]) - mesh.point(p.nodes[k]));
-      least2 = std::min(least2, apart2);
-      most2 = std::max(most2, apart2);
-    }
-  return least2 < kThin * kThin * most2;
 }
 
 // The middle of the largest quad of each cell.
@@ -48,34 +33,23 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
 
 }  // namespace
 
-std::vector<Trouble> unsound_cells(const WorkMesh& mesh) {
-  std::vector<Trouble> found;
-  for (const FaceId f : unsound_faces(mesh))
-    found.push_back({mesh.cell(f), "a quad is not convex, or flat", centre_of(mesh, f), is_thin(mesh, f)});
-  std::stable_sort(found.begin(), found.end(), [](const Trouble& t, const Trouble& u) {
-    return t.cell != u.cell ? t.cell < u.cell : t.is_thin > u.is_thin;
-  });
-  const auto is_same = [](const Trouble& t, const Trouble& u) { return t.cell == u.cell; };
-  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
-  return found;
+FallbackPlan::FallbackPlan(Domain domain, const Options& options)
+    : domain_(std::move(domain)), options_(options), rung_(domain_.cells.count(), 0), why_(rung_.count()) {
+  for (const Domain::Cell& cell : domain_.cells) asked_.cells.push_back(cell.size);
+  for (const Domain::Curve& curve : domain_.curves) asked_.curves.push_back(curve.size);
+  for (const Domain::PointUse& point : domain_.points) asked_.points.push_back(point.size);
 }
 
-std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> place, const std::string& reason) {
-  CellSet cells;
-  if (place) {
-    for (const Domain::Curve& curve : domain.curves) {
-      if (distance(point_at(curve.piece, project(curve.piece, *place)), *place) > domain.tolerance) continue;
-      for (const CellId c : {curve.left, curve.right})
-        if (c.valid()) cells.insert(c);
-    }
-    if (cells.empty())
-      if (const CellId c = CellLocator(domain).at(*place); c.valid()) cells.insert(c);
-  }
-  const bool all = cells.empty();
-  std::vector<Trouble> troubles;
-  for (std::size_t i = 0; i < domain.cells.count(); ++i)
-    if (all || cells.contains(CellId(i))) troubles.push_back({CellId(i), reason, place.value_or(domain.box.lo)});
-  return troubles;
+Recipe FallbackPlan::recipe(CellId c) const {
+  const bool is_front = options_.triangles != Triangles::Delaunay;
+  Recipe recipe;
+  recipe.method = options_.method;
+  recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
+  recipe.lines = options_.lines;
+  recipe.keeps_thin_quads = rung(c).is_halved;
+  if (rung(c).is_halved && options_.method == Method::QMorph) recipe.method = Method::Merge;
+  recipe.may_retry = recipe.method == Method::QMorph && options_.triangles == Triangles::Both && !is_changed(c);
+  return recipe;
 }
 
 bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
@@ -91,7 +65,19 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
     if (why_[c].empty()) why_[c] = troubles[i].reason;
     advanced = true;
   }
+  if (advanced) set_sizes();
   return advanced;
+}
+
+CellSet FallbackPlan::halved_cells() const {
+  CellSet cells;
+  for (std::size_t i = 0; i < rung_.count(); ++i)
+    if (const CellId c(i); recipe(c).method != Method::QMorph) cells.insert(c);
+  return cells;
+}
+
+bool FallbackPlan::any_halved() const {
+  return std::any_of(rung_.begin(), rung_.end(), [](std::size_t rung) { return kRungs[rung].is_halved; });
 }
 
 bool FallbackPlan::is_beside_halved(CellId c) const {
@@ -104,22 +90,23 @@ bool FallbackPlan::is_beside_halved(CellId c) const {
   return false;
 }
 
-Domain FallbackPlan::domain() const {
-  Domain domain = domain_;
+// Always from the sizes as asked: rungs are no factors on each other.
+void FallbackPlan::set_sizes() {
   const auto factor = [&](CellId c) { return c.valid() ? rung(c).refinement : 1; };
-  IdVector<VertexId, double> at_vertex(domain.vertices.count(), 1);
-  for (std::size_t i = 0; i < domain.cells.count(); ++i) {
-    Domain::Cell& cell = domain.cells[CellId(i)];
-    cell.size *= factor(CellId(i));
+  IdVector<VertexId, double> at_vertex(domain_.vertices.count(), 1);
+  for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
+    Domain::Cell& cell = domain_.cells[CellId(i)];
+    cell.size = asked_.cells[i] * factor(CellId(i));
     for (const VertexId v : cell.lone_points) at_vertex[v] = factor(CellId(i));
   }
-  for (Domain::Curve& curve : domain.curves) {
+  for (std::size_t i = 0; i < domain_.curves.count(); ++i) {
+    Domain::Curve& curve = domain_.curves[CurveId(i)];
     const double least = std::min(factor(curve.left), factor(curve.right));
-    curve.size *= least;
+    curve.size = asked_.curves[i] * least;
     for (const VertexId v : {curve.tail, curve.head}) at_vertex[v] = std::min(at_vertex[v], least);
   }
-  for (Domain::PointUse& point : domain.points) point.size *= at_vertex[point.vertex];
-  return domain;
+  for (std::size_t i = 0; i < domain_.points.size(); ++i)
+    domain_.points[i].size = asked_.points[i] * at_vertex[domain_.points[i].vertex];
 }
 
 std::string FallbackPlan::name_of(CellId c) const {

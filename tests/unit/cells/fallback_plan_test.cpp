@@ -1,12 +1,12 @@
 // The chain of attempts, with cells that are made to look troubled.
-#include "cells/fallback.hpp"
+#include "cells/fallback_plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <optional>
 
-#include "cells/pipeline.hpp"
+#include "cells/attempt.hpp"
 #include "domain/arrange/arrange.hpp"
 #include "io/read_model.hpp"
 #include "tests/unit/cells/two_cells.hpp"
@@ -18,15 +18,16 @@ class Fallback : public testing::Test {
  protected:
   Context context_;
   Domain domain_ = arrange(shapes::two_cells(), {}, context_);
-  FallbackPlan plan_{domain_};
+  const Options options_;
+  FallbackPlan plan_{domain_, options_};
   CellCache cache_{domain_.cells.count()};
-  Report report_;
+  StageClock clock_;
 
   CellId left() const { return troubles_at(domain_, Point{0.5, 0.5}, "")[0].cell; }
   void take_left_to(std::size_t rung) {
     for (std::size_t i = 0; i < rung; ++i) ASSERT_TRUE(plan_.advance({{left(), "it looks bad", {2, 3}}}));
   }
-  Attempt attempt(const Options& options = {}) { return attempt_mesh(plan_, options, cache_, report_, context_); }
+  Attempt attempt() { return attempt_mesh(plan_, options_, cache_, clock_, context_); }
   static std::size_t n_right(const Mesh& mesh) {
     std::size_t n = 0;
     for (const auto& q : mesh.quads) n += mesh.points[q[0]].x + mesh.points[q[2]].x > 8;
@@ -42,15 +43,16 @@ TEST_F(Fallback, PlacesAreFoundInTheirCells) {
 }
 
 TEST_F(Fallback, EveryRungGivesAValidMeshAndNamesTheCell) {
-  EXPECT_TRUE(attempt().findings.empty());
+  EXPECT_TRUE(attempt().result.report.findings.empty());
   for (std::size_t rung = 1; rung < std::size(kRungs); ++rung) {
     take_left_to(1);
     const Attempt got = attempt();
     ASSERT_FALSE(got.result.failure) << kRungs[rung].what << ": " << got.result.failure->reason;
-    ASSERT_EQ(got.findings.size(), 1u);
-    EXPECT_NE(got.findings[0].text.find(kRungs[rung].what), std::string::npos);
-    EXPECT_NE(got.findings[0].text.find("it looks bad"), std::string::npos);
-    EXPECT_LT(got.findings[0].at.x, 4);
+    const std::vector<Finding>& findings = got.result.report.findings;
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_NE(findings[0].text.find(kRungs[rung].what), std::string::npos);
+    EXPECT_NE(findings[0].text.find("it looks bad"), std::string::npos);
+    EXPECT_LT(findings[0].at.x, 4);
   }
   EXPECT_FALSE(plan_.advance({{left(), "it looks bad", {2, 3}}}));
 }
@@ -150,10 +152,11 @@ TEST(FallbackChain, EndsWithAValidMeshAndAFindingForTheCell) {
 TEST(FallbackChain, AThinQuadTakesItsCellStraightToHalving) {
   Context context;
   const Domain domain = arrange(near_ends(), {}, context);
-  FallbackPlan plan(domain);
+  const Options options;
+  FallbackPlan plan(domain, options);
   CellCache cache(domain.cells.count());
-  Report report;
-  const Attempt first = attempt_mesh(plan, {}, cache, report, context);
+  StageClock clock;
+  const Attempt first = attempt_mesh(plan, options, cache, clock, context);
   ASSERT_EQ(first.troubles.size(), 1u);
   EXPECT_TRUE(first.troubles[0].is_thin);
   ASSERT_TRUE(plan.advance(first.troubles));
@@ -172,18 +175,58 @@ TEST(Methods, MendTheFlatQuadsOfHalving) {
   }
 }
 
-TEST(FallbackChain, NothingTakesMoreQuadsThanAllowed) {
+std::size_t n_attempts(const MeshResult& result) {
+  std::size_t n = 0;
+  for (const StageTime& time : result.report.stages) n += time.stage == "sizing";
+  return n;
+}
+
+std::string refusal(const Model& model, double max_quads) {
+  Context context;
+  try {
+    generate(model, {.max_quads = max_quads}, context);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(MaxQuads, HoldsForFallBacks) {
   Context context;
   Options options;
-  options.max_quads = 100;  // more than the nodes on the curves call for, less than there will be
+  options.max_quads = 240;  // more than the first mesh takes, fewer than those that would help
   const MeshResult result = generate(near_ends(), options, context);
   ASSERT_TRUE(result.failure);
-  std::size_t n_attempts = 0;
-  for (const StageTime& time : result.report.stages) n_attempts += time.stage == "sizing";
-  EXPECT_EQ(n_attempts, 1u);  // as asked; all others are expected to need more
+  EXPECT_LE(static_cast<double>(result.mesh.quads.size()), options.max_quads);
   EXPECT_EQ(result.report.findings.back().text, "what may help needs more quads than allowed");
-  options.max_quads = 10;
-  EXPECT_THROW(generate(near_ends(), options, context), InputError);
+}
+
+TEST(MaxQuads, HoldsForTheFirstMesh) {
+  Model plate;
+  plate.size = 0.2;
+  plate.outer.push_back({.items = {{{0, 0}}, {{6, 0}}, {{6, 4}}, {{0, 4}}}});
+  EXPECT_EQ(refusal(plate, 100),
+            "about 6e+02 quads are expected, more than 100: choose a larger size, or raise --max-quads");
+  EXPECT_EQ(refusal(plate, 600), "not refused");
+  // more than expected
+  EXPECT_EQ(refusal(near_ends(), 230),
+            "236 quads are needed, more than 230: choose a larger size, or raise --max-quads");
+}
+
+// The report of a model that nothing helps is about the mesh that comes with it, that of the first attempt.
+TEST(FallbackChain, TheReportOfAFailureIsAboutItsMesh) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.items = {{{0, 0}}, {{10, 0}}, {{10, 10}}, {{0, 10}}}});
+  model.lines.push_back({.name = "a", .path = {.items = {{{0, 5}}, {{10, 5}}}}});
+  model.lines.push_back({.name = "b", .path = {.items = {{{0, 5}}, {{10, 5 + 3e-6}}}}});
+  Context context;
+  const MeshResult result = generate(model, {.tolerance = 1e-8}, context);
+  ASSERT_TRUE(result.failure);
+  EXPECT_GT(n_attempts(result), 1u);
+  EXPECT_EQ(result.report.quality.n_quads, result.mesh.quads.size());
+  EXPECT_NEAR(static_cast<double>(result.report.before_smoothing.n_quads),
+              static_cast<double>(result.mesh.quads.size()), 0.2 * static_cast<double>(result.mesh.quads.size()));
 }
 
 }  // namespace

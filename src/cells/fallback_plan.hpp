@@ -1,11 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "cells/mesh_cell.hpp"
+#include "cells/trouble.hpp"
+#include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
 #include "mesh/work_mesh.hpp"
+#include "quadline/options.hpp"
 #include "quadline/report.hpp"
 
 namespace quadline {
@@ -27,26 +30,11 @@ constexpr Rung kRungs[] = {{false, 1, false, "as asked"},
 constexpr std::size_t kFirstHalving = 4;
 static_assert(kRungs[kFirstHalving].is_halved && !kRungs[kFirstHalving - 1].is_halved);
 
-/// A cell where a mesh breaks the promise.
-struct Trouble {
-  CellId cell;
-  std::string reason;  ///< one line
-  Point at;
-  bool is_thin = false;  ///< a quad there is so thin that the drawing must be: only halving helps
-};
-
-/// The cells where a quad is not sound or a triangle is left, each with the first such place; in the order of the
-/// cells.
-std::vector<Trouble> unsound_cells(const WorkMesh& mesh);
-
-/// The cells at a place: those beside the curves within the tolerance of it, else the one that holds it; all cells
-/// where there is none, or the place is unknown.
-std::vector<Trouble> troubles_at(const Domain& domain, std::optional<Point> place, const std::string& reason);
-
 /// Which cells are meshed otherwise than asked, and why.
 class FallbackPlan {
  public:
-  explicit FallbackPlan(const Domain& domain) : domain_(domain), rung_(domain.cells.count(), 0), why_(rung_.count()) {}
+  /// @param options  as the user gave them; must outlive this.
+  FallbackPlan(Domain domain, const Options& options);
 
   /// Takes the cells in trouble a rung further; straight to halving where a quad is thin, and beside cells that are
   /// halved, as what troubles one mostly troubles the other.
@@ -55,19 +43,30 @@ class FallbackPlan {
 
   const Rung& rung(CellId c) const { return kRungs[rung_[c]]; }
   bool is_changed(CellId c) const { return rung_[c] > 0; }  ///< not meshed as asked
+  bool any_halved() const;                                  ///< as a fall-back
   bool is_first() const { return attempts_ == 1; }          ///< all cells as asked
+  /// Cells whose edges will be halved: as a fall-back, or because the method does it.
+  CellSet halved_cells() const;
+  /// How the cell is meshed now.
+  Recipe recipe(CellId c) const;
   /// The domain with the sizes of the plan.
-  Domain domain() const;
+  const Domain& domain() const { return domain_; }
   /// A finding for each cell that was not meshed as asked, at a place inside it.
   std::vector<Finding> findings(const WorkMesh& mesh) const;
   /// A finding for each cell where nothing helped.
   std::vector<Finding> failures(const std::vector<Trouble>& troubles) const;
 
  private:
+  struct Sizes {
+    std::vector<double> cells, curves, points;
+  };
+  void set_sizes();
   bool is_beside_halved(CellId c) const;
   std::string name_of(CellId c) const;
 
-  const Domain& domain_;
+  Domain domain_;
+  const Options& options_;
+  Sizes asked_;  ///< of the domain as it came
   IdVector<CellId, std::size_t> rung_;
   IdVector<CellId, std::string> why_;  ///< the first reason
   std::size_t attempts_ = 1;

@@ -1,4 +1,4 @@
-#include "cells/cell_parts.hpp"
+#include "cells/join.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,15 +28,18 @@ bool is_on_curve(const NodeTag& tag) { return tag.vertex.valid() || tag.curve.va
 
 class Joiner {
  public:
-  explicit Joiner(const IdVector<CellId, WorkMesh>& parts) : parts_(parts) {}
+  explicit Joiner(const IdVector<CellId, const WorkMesh*>& parts) {
+    for (const WorkMesh* part : parts)
+      if (part) parts_.push_back(part);
+  }
 
   WorkMesh join() {
     find_places();
     WorkMesh mesh;
-    for (const WorkMesh& part : parts_) add_faces(part);
+    for (const WorkMesh* part : parts_) add_faces(*part);
     mesh.build(std::move(points_), std::move(tags_), faces_);
     for (std::size_t i = 0; i < cells_.size(); ++i) mesh.set_cell(FaceId(i), cells_[i]);
-    for (const WorkMesh& part : parts_) add_constraints(part, mesh);
+    for (const WorkMesh* part : parts_) add_constraints(*part, mesh);
     for (const FaceId f : frozen_) mesh.freeze(f);
     mesh.sort_in_space();
     return mesh;
@@ -50,9 +53,9 @@ class Joiner {
   }
 
   void find_places() {
-    for (const WorkMesh& part : parts_)
-      for_each_node(part, [&](NodeId v) {
-        if (is_on_curve(part.tag(v))) places_.push_back(place(part.tag(v)));
+    for (const WorkMesh* part : parts_)
+      for_each_node(*part, [&](NodeId v) {
+        if (is_on_curve(part->tag(v))) places_.push_back(place(part->tag(v)));
       });
     std::sort(places_.begin(), places_.end());
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
@@ -108,7 +111,7 @@ class Joiner {
     }
   }
 
-  const IdVector<CellId, WorkMesh>& parts_;
+  std::vector<const WorkMesh*> parts_;
   std::vector<Place> places_;    // sorted
   std::vector<NodeId> numbers_;  // of the places, in the joined mesh
   IdVector<CurveId, const WorkMesh*> giver_;
@@ -121,35 +124,6 @@ class Joiner {
 
 }  // namespace
 
-CellNodes::CellNodes(const Domain& domain, const WorkMesh& nodes)
-    : domain_(domain), nodes_(nodes), segments_(domain.cells.count()) {
-  for (std::size_t i = 0; i < nodes.segments.size(); ++i) {
-    const Domain::Curve& curve = domain.curves[nodes.segments[i].curve];
-    if (curve.left.valid()) segments_[curve.left].push_back(static_cast<std::uint32_t>(i));
-    if (curve.right.valid() && curve.right != curve.left)
-      segments_[curve.right].push_back(static_cast<std::uint32_t>(i));
-  }
-}
-
-WorkMesh CellNodes::of(CellId c) const {
-  std::vector<NodeId> used;
-  for (const std::uint32_t i : segments_[c]) {
-    used.push_back(nodes_.segments[i].a);
-    used.push_back(nodes_.segments[i].b);
-  }
-  for (const VertexId v : domain_.cells[c].lone_points) used.push_back(NodeId(v.value));
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  WorkMesh part;
-  for (const NodeId v : used) part.add_node(nodes_.point(v), nodes_.tag(v));
-  const auto number = [&](NodeId v) { return NodeId(std::lower_bound(used.begin(), used.end(), v) - used.begin()); };
-  for (const std::uint32_t i : segments_[c]) {
-    const Segment& s = nodes_.segments[i];
-    part.segments.push_back({number(s.a), number(s.b), s.curve});
-  }
-  return part;
-}
-
-WorkMesh joined(const IdVector<CellId, WorkMesh>& parts) { return Joiner(parts).join(); }
+WorkMesh joined(const IdVector<CellId, const WorkMesh*>& parts) { return Joiner(parts).join(); }
 
 }  // namespace quadline
