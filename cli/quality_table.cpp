@@ -80,7 +80,7 @@ std::string line_table(std::vector<LineQuality> lines) {
   const std::size_t n_left_out = lines.size() - std::min(kMost, lines.size());
   lines.resize(lines.size() - n_left_out);
   std::vector<Row> rows = {{"line, the worst first", "edges", "quads", "beta least", "mean", "SJ least", "mean",
-                            "angles", "edge / size", "irregular", "rungs off"}};
+                            "angles", "edge / size", "irregular", "off normal"}};
   for (const LineQuality& line : lines) {
     const auto& r = line.edge_to_size;
     rows.push_back({line.name, std::to_string(line.n_edges), std::to_string(line.n_quads), fixed(line.beta_min, 3),

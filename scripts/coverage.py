@@ -11,6 +11,8 @@ import os
 import subprocess
 import sys
 
+from marked_page import made_by
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 LIMIT = 80  # percent
 
@@ -18,7 +20,7 @@ LIMIT = 80  # percent
 def lines_of_files(build):
     """For each source file: lines reached, and lines."""
     command = ["gcovr", "--root", ROOT, "--object-directory", build, "--json-summary"]
-    for folder in ("src", "io", "draw", "cli", "include"):
+    for folder in ("src", "io", "cli", "include"):
         command += ["--filter", os.path.join(ROOT, folder) + "/"]
     try:
         done = subprocess.run(command + [build], stdout=subprocess.PIPE, text=True, check=True)
@@ -42,10 +44,11 @@ def main():
     folders = collections.defaultdict(list)
     for name, counts in files.items():
         folders[os.path.dirname(name)].append(counts)
-    folders["all"] = list(files.values())
+    rows = sorted(folders.items()) + [("all", list(files.values()))]
 
+    print(made_by("make coverage", os.path.join(build, "quadline")))
     print("| folder | files | lines | reached % |\n|---|---|---|---|")
-    for folder, counts in folders.items():
+    for folder, counts in rows:
         reached, lines = map(sum, zip(*counts))
         print("| `%s` | %d | %d | %s |" % (folder, len(counts), lines, percent(reached, lines)))
     print("\nBelow %d %%:" % LIMIT)

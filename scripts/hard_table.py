@@ -12,9 +12,11 @@ import subprocess
 import sys
 import tempfile
 
+from marked_page import made_by, write_between
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-PAGE = os.path.join(ROOT, "docs", "robustness.md")
-BEGIN, END = "<!-- hard models: made by scripts/hard_table.py -->\n", "<!-- end of the hard models -->\n"
+PAGE = "docs/robustness.md"
+BEGIN, END = "<!-- hard models: made by `make hard` -->\n", "<!-- end of the hard models -->\n"
 SECONDS = 120
 
 
@@ -46,17 +48,11 @@ def row(quadline, model):
 
 def main():
     quadline = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release", "quadline"))
-    with open(PAGE, encoding="utf-8") as f:
-        head, begun, rest = f.read().partition(BEGIN)
-    _, closed, tail = rest.partition(END)
-    if not (begun and closed):
-        sys.exit("hard_table: docs/robustness.md lacks the lines %s and %s" % (BEGIN.strip(), END.strip()))
     rows = [row(quadline, model) for model in sorted(glob.glob(os.path.join(ROOT, "models", "hard", "*.json")))]
     lines = ["| model | exit code | quads | least scaled Jacobian | mended or found |", "|---|---|---|---|---|"]
     table = "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
     print(table, end="")
-    with open(PAGE, "w", encoding="utf-8") as f:
-        f.write(head + BEGIN + "\n" + table + "\n" + END + tail)
+    write_between(PAGE, BEGIN, END, "\n" + made_by("make hard", quadline) + "\n" + table + "\n")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 
+from marked_page import made_by, write_between
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 BEGIN, END = "<!-- paper table: made by `make paper` -->\n", "<!-- end of the paper table -->\n"
 
@@ -27,10 +29,9 @@ COLUMNS = ("model", "paper: beta before smoothing", "after", "Quadline: beta bef
            "mean SJ", "irregular nodes")
 
 
-def mesh(quadline, name):
-    """The report of the run; the picture goes to docs/images."""
+def mesh(quadline, name, picture):
+    """The report of the run."""
     model = os.path.join(ROOT, "models", "paper", name + ".json")
-    picture = os.path.join(ROOT, "docs", "images", name + ".svg")
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
         done = subprocess.run([quadline, "mesh", model, "-o", picture, "--report", report, "--quiet"])
@@ -49,9 +50,12 @@ def row(name, report):
             "%d (%.1f %%)" % (after["irregular_nodes"], 100 * after["irregular_nodes"] / after["nodes"])]
 
 
+def line(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
 def markdown(rows):
-    lines = ["| " + " | ".join(COLUMNS) + " |", "|" + "---|" * len(COLUMNS)]
-    return "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
+    return line(COLUMNS) + "|" + "---|" * len(COLUMNS) + "\n" + "".join(map(line, rows))
 
 
 def pictures(folder):
@@ -61,34 +65,28 @@ def pictures(folder):
     return "\n" + "\n".join(rows) + "\n"
 
 
-def write(path, text):
-    path = os.path.join(ROOT, path)
-    with open(path, "w", encoding="utf-8") as f:
-        f.write(text)
-
-
 def main():
     quadline = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release", "quadline"))
-    os.makedirs(os.path.join(ROOT, "docs", "images"), exist_ok=True)
-    reports = {name: mesh(quadline, name) for name in PAPER}
+    images = os.path.join(ROOT, "docs", "images")
+    os.makedirs(images, exist_ok=True)
+    reports = {name: mesh(quadline, name, os.path.join(images, name + ".svg")) for name in PAPER}
     table = markdown([row(name, reports[name]) for name in PAPER])
     print(table, end="")
     print("\nseconds: " + ", ".join("%s %.2f" % (name, report["seconds"]) for name, report in reports.items()))
 
-    write("docs/paper-table.md", """# The paper's Table 3, and ours
+    made = made_by("make paper", quadline)
+    page = """# The paper's Table 3, and ours
 
-`make paper` makes this page. Beta is the distortion coefficient of [Lee2003], equations (1) and (2), its mean the
+""" + made + """
+Beta is the distortion coefficient of [Lee2003], equations (1) and (2), its mean the
 geometric one; SJ is the scaled Jacobian. "Before smoothing" is the mesh as Q-Morph leaves it. The paper does not publish
 the coordinates of its models: these are made after its descriptions, so the figures compare meshers on similar
 models, not on the same. Table 3 has no figures of Fig. 20; those of Fig. 19 are its goal.
 
-""" + table + pictures("images"))
-    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as f:
-        head, found, rest = f.read().partition(BEGIN)
-    _, closed, tail = rest.partition(END)
-    if not (found and closed):
-        sys.exit("paper_table: README.md lacks the lines %s and %s" % (BEGIN.strip(), END.strip()))
-    write("README.md", head + BEGIN + "\n" + table + pictures("docs/images") + "\n" + END + tail)
+""" + table + pictures("images")
+    with open(os.path.join(ROOT, "docs", "paper-table.md"), "w", encoding="utf-8") as f:
+        f.write(page)
+    write_between("README.md", BEGIN, END, "\n" + made + "\n" + table + pictures("docs/images") + "\n")
 
 
 if __name__ == "__main__":

@@ -17,13 +17,13 @@ import tempfile
 import time
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(ROOT, "tests", "judge"))
+sys.path[:0] = [os.path.join(ROOT, "tests", "judge"), os.path.join(ROOT, "scripts")]
 import meshjudge  # noqa: E402
 import table  # noqa: E402
-from marked_page import write_between  # noqa: E402
+from marked_page import made_by, write_between  # noqa: E402
 
 KEPT = os.path.join(ROOT, "build", "compare")
-DOC = os.path.join(ROOT, "docs", "quality.md")
+DOC = "docs/quality.md"
 PICTURES = ("fig16", "fig18", "fig19", "web-frame", "doubler-loop", "y-junctions")
 BEGIN, END = "<!-- made by `make compare` -->\n", "<!-- end of what `make compare` makes -->\n"
 # Mesh.Algorithm: 6 frontal, 8 frontal for quads, 9 packing of parallelograms, 11 quasi-structured.
@@ -126,8 +126,9 @@ def main():
     text = table.table(rows, gmsh) + "\n\n" + (table.summary(rows, gmsh) + "\n" if version else "")
     print(text)
     if version and not arguments.no_docs:
-        write_between(DOC, BEGIN, END, "Gmsh %s.\n\n" % version + text + "\n| Quadline | Gmsh, the mode with the best beta |\n|---|---|\n" +
-                  "\n".join(shown) + "\n")
+        made = made_by("make compare", arguments.quadline) + "Gmsh %s.\n" % version
+        write_between(DOC, BEGIN, END, made + "\n" + text + "\n| Quadline | Gmsh, the mode with the best beta |\n|---|---|\n" +
+                      "\n".join(shown) + "\n")
     return 0 if all(row["valid"] for row in rows) else 1
 
 

@@ -17,13 +17,13 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-sys.path.insert(0, os.path.join(ROOT, "tests", "judge"))
+sys.path[:0] = [os.path.join(ROOT, "tests", "judge"), os.path.join(ROOT, "scripts")]
 import meshjudge  # noqa: E402
-from marked_page import write_between  # noqa: E402
+from marked_page import made_by, write_between  # noqa: E402
 import meshread  # noqa: E402
 import planemodel  # noqa: E402
 
-DOC = os.path.join(ROOT, "docs", "symmetry.md")
+DOC = "docs/symmetry.md"
 BEGIN, END = "<!-- made by symmetry.py -->\n", "<!-- end of what symmetry.py makes -->\n"
 NEAR = 0.1  # of the mean edge length at a node: as near as this, two nodes are the same
 LIMIT_S = 120
@@ -166,7 +166,7 @@ def main():
     text = "\n" + spread_table(rows) + "\n\n" + symmetry_table([plate] + rows) + "\n\n"
     print(text)
     if not arguments.no_docs:
-        write_between(DOC, BEGIN, END, text)
+        write_between(DOC, BEGIN, END, "\n" + made_by("make compare", arguments.quadline) + text)
 
 
 if __name__ == "__main__":

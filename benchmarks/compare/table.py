@@ -1,4 +1,5 @@
 """The figures of both programs beside each other: the best of Gmsh's modes, and what is lost to them."""
+import textwrap
 
 # Figure of the judge: heading, whether more is better, how it is written. Order of the table's columns.
 FIGURES = {
@@ -74,5 +75,6 @@ def summary(ours, gmsh):
     without = [row["model"] for row in ours if not best_of(gmsh.get(row["model"], []))]
     lines = ["%d of %d comparisons are lost%s" % (len(names), n, ":" if names else ".")] + ["- " + name for name in names]
     if without:
-        lines.append("\nNo mode of Gmsh gives a valid all-quad mesh at the size asked for on %s." % ", ".join(without))
+        none = "No mode of Gmsh gives a valid all-quad mesh at the size asked for on %s." % ", ".join(without)
+        lines.append("\n" + textwrap.fill(none, 118, break_on_hyphens=False))
     return "\n".join(lines)

@@ -22,10 +22,13 @@ class Readme(CommandLine):
             self.assertEqual(done.stderr, "")
             self.assert_done(self.run_it("check", mesh, "--model", file, "--all-quad"))
 
-    def test_the_bracket_is_the_example(self):
+    def test_they_are_the_examples(self):
+        for name, model in self.models().items():
+            with open(os.path.join(ROOT, "examples", name, name + ".json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file), model)
+
+    def test_the_names_of_the_bracket_are_in_the_mesh(self):
         path = os.path.join(ROOT, "examples", "bracket", "bracket.json")
-        with open(path, encoding="utf-8") as file:
-            self.assertEqual(json.load(file), self.models()["bracket"])
         self.assert_done(self.run_it("mesh", path, "-o", self.path("a.json"), "--quiet"))
         mesh = json.loads(self.read("a.json"))
         text = json.dumps(mesh)

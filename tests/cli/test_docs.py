@@ -1,0 +1,40 @@
+"""What the docs say of the program, held against it."""
+import os
+import re
+import sys
+import unittest
+
+from test_command_line import QUADLINE, ROOT, CommandLine
+
+sys.path.append(os.path.join(ROOT, "scripts"))
+import paper_table  # noqa: E402
+
+
+def page(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+class Docs(CommandLine):
+    def test_the_command_line_is_described(self):
+        told = page("docs", "command-line.md")
+        for command in ("mesh", "check", "info", "draw"):
+            for option in set(re.findall(r"--[a-z][a-z-]+", self.run_it(command, "--help").stdout)) - {"--help", "--output"}:
+                self.assertIn("`" + option, told, command)
+
+    def test_no_option_is_told_that_is_none(self):
+        helps = "".join(self.run_it(command, "--help").stdout for command in ("mesh", "check", "info", "draw"))
+        for name in ("README.md", os.path.join("docs", "command-line.md")):
+            for option in re.findall(r"^\| `(--[a-z-]+)", page(name), re.MULTILINE):
+                self.assertIn(option, helps, name)
+
+    def test_the_papers_table_is_of_this_program(self):
+        for name in paper_table.PAPER:
+            report = paper_table.mesh(QUADLINE, name, self.path(name + ".svg"))
+            row = paper_table.line(paper_table.row(name, report))
+            for path in (("README.md",), ("docs", "paper-table.md")):
+                self.assertIn(row, page(*path), "run 'make paper'")
+
+
+if __name__ == "__main__":
+    unittest.main()
