@@ -94,7 +94,7 @@ class Joiner {
 
   // Those of a curve between two cells come with both: one of them gives them all.
   void add_constraints(const WorkMesh& part, WorkMesh& mesh) {
-    for (Segment s : part.segments) {
+    for (Segment s : part.segments()) {
       giver_.grow(s.curve.value + std::size_t{1}, nullptr);
       const WorkMesh*& giver = giver_[s.curve];
       if (!giver) giver = &part;
@@ -104,7 +104,7 @@ class Joiner {
       const HalfId h = mesh.topo().find(s.a, s.b);
       QUADLINE_CHECK(h.valid());
       mesh.set_curve(edge_of(h), s.curve);
-      mesh.segments.push_back(s);
+      mesh.add_segment(s);
     }
   }
 
@@ -123,8 +123,8 @@ class Joiner {
 
 CellNodes::CellNodes(const Domain& domain, const WorkMesh& nodes)
     : domain_(domain), nodes_(nodes), segments_(domain.cells.count()) {
-  for (std::size_t i = 0; i < nodes.segments.size(); ++i) {
-    const Domain::Curve& curve = domain.curves[nodes.segments[i].curve];
+  for (std::size_t i = 0; i < nodes.segments().size(); ++i) {
+    const Domain::Curve& curve = domain.curves[nodes.segments()[i].curve];
     if (curve.left.valid()) segments_[curve.left].push_back(static_cast<std::uint32_t>(i));
     if (curve.right.valid() && curve.right != curve.left)
       segments_[curve.right].push_back(static_cast<std::uint32_t>(i));
@@ -134,8 +134,8 @@ CellNodes::CellNodes(const Domain& domain, const WorkMesh& nodes)
 WorkMesh CellNodes::of(CellId c) const {
   std::vector<NodeId> used;
   for (const std::uint32_t i : segments_[c]) {
-    used.push_back(nodes_.segments[i].a);
-    used.push_back(nodes_.segments[i].b);
+    used.push_back(nodes_.segments()[i].a);
+    used.push_back(nodes_.segments()[i].b);
   }
   for (const VertexId v : domain_.cells[c].lone_points) used.push_back(NodeId(v.value));
   std::sort(used.begin(), used.end());
@@ -144,8 +144,8 @@ WorkMesh CellNodes::of(CellId c) const {
   for (const NodeId v : used) part.add_node(nodes_.point(v), nodes_.tag(v));
   const auto number = [&](NodeId v) { return NodeId(std::lower_bound(used.begin(), used.end(), v) - used.begin()); };
   for (const std::uint32_t i : segments_[c]) {
-    const Segment& s = nodes_.segments[i];
-    part.segments.push_back({number(s.a), number(s.b), s.curve});
+    const Segment& s = nodes_.segments()[i];
+    part.add_segment({number(s.a), number(s.b), s.curve});
   }
   return part;
 }
