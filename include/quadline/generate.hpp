@@ -1,23 +1,16 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "quadline/context.hpp"
+#include "quadline/failure.hpp"
 #include "quadline/mesh.hpp"
 #include "quadline/model.hpp"
 #include "quadline/options.hpp"
 #include "quadline/report.hpp"
 
 namespace quadline {
-
-/// Why a mesh does not keep the promise.
-struct Failure {
-  std::string stage;
-  std::string reason;  ///< one line
-  Point at;
-};
 
 struct MeshResult {
   Mesh mesh;  ///< the best mesh so far where `failure` is set

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "io/text/number_text.hpp"
+#include "quality/mesh_edges.hpp"
 
 namespace quadline {
 
@@ -39,50 +40,20 @@ namespace {
 
 using Edge = std::array<NodeIndex, 2>;
 
-/// The edges with an element on one side only, directed with it on their left; by their first node.
+/// The edges with an element on one side only, directed with it on their left.
 class Boundary {
  public:
-  explicit Boundary(const Mesh& mesh);
+  explicit Boundary(const Mesh& mesh) : edges_(mesh) {}
   bool has(NodeIndex tail, NodeIndex head) const {
-    return std::binary_search(edges_.begin(), edges_.end(), Edge{tail, head});
+    const std::size_t edge = edges_.find(tail, head);
+    if (edge == edges_.count()) return false;
+    const std::span<const Side> sides = edges_.sides(edge);
+    return sides.size() == 1 && sides[0].forward == (tail < head);
   }
 
  private:
-  std::vector<Edge> edges_;
+  MeshEdges edges_;
 };
-
-Boundary::Boundary(const Mesh& mesh) {
-  // All sides in buckets by their smaller node: a counting sort, then short searches.
-  std::vector<std::size_t> start(mesh.points.size() + 1, 0);
-  const auto for_each_side = [&](auto visit) {
-    const auto of = [&](const auto& element) {
-      for (std::size_t i = 0; i < element.size(); ++i) visit(element[i], element[(i + 1) % element.size()]);
-    };
-    for (const auto& quad : mesh.quads) of(quad);
-    for (const auto& triangle : mesh.triangles) of(triangle);
-  };
-  for_each_side([&](NodeIndex a, NodeIndex b) { ++start[std::min(a, b) + 1]; });
-  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  struct Side {
-    NodeIndex other;
-    bool upward;  ///< from the smaller node
-  };
-  std::vector<Side> sides(start.back());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for_each_side([&](NodeIndex a, NodeIndex b) { sides[next[std::min(a, b)]++] = {std::max(a, b), a < b}; });
-  for (NodeIndex node = 0; node + 1 < start.size(); ++node) {
-    const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(start[node]);
-    const auto end = sides.begin() + static_cast<std::ptrdiff_t>(start[node + 1]);
-    std::sort(begin, end, [](const Side& a, const Side& b) { return a.other < b.other; });
-    for (auto side = begin; side != end;) {
-      auto last = side;
-      while (last != end && last->other == side->other) ++last;
-      if (last - side == 1) edges_.push_back(side->upward ? Edge{node, side->other} : Edge{side->other, node});
-      side = last;
-    }
-  }
-  std::sort(edges_.begin(), edges_.end());
-}
 
 bool is_chain(const std::vector<Edge>& edges) {
   for (std::size_t i = 1; i < edges.size(); ++i)
@@ -197,7 +168,6 @@ void turn_if_seen_from_below(Mesh& mesh) {
 
 void check_plane(const FoundMesh& found, const SourceFile& file) {
   constexpr double kFlat = 1e-9;  // of the size of the mesh
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Point lo{kInfinity, kInfinity}, hi{-kInfinity, -kInfinity};
   double z_lo = kInfinity, z_hi = -kInfinity;
   for (std::size_t i = 0; i < found.z.size(); ++i) {

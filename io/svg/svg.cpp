@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.hpp"
 #include "io/text/number_text.hpp"
 #include "quality/face_corners.hpp"
+#include "quality/quad_sums.hpp"
 
 namespace quadline {
 namespace {
@@ -23,7 +25,6 @@ struct QualityClass {
   const char* color;
   const char* label;
 };
-constexpr double kEver = std::numeric_limits<double>::infinity();
 constexpr std::array<QualityClass, 9> kClasses = {{
     {1e-6, "#000000", "inverted"},
     {0.2, "#a50026", "0"},
@@ -33,7 +34,7 @@ constexpr std::array<QualityClass, 9> kClasses = {{
     {0.7, "#fee08b", "0.6"},
     {0.8, "#d9ef8b", "0.7"},
     {0.9, "#a6d96a", "0.8"},
-    {kEver, "#66bd63", "0.9"},
+    {kInfinity, "#66bd63", "0.9"},
 }};
 
 std::size_t class_of(double quality) {
@@ -191,21 +192,14 @@ std::string figures(const Mesh& mesh) {
   if (!mesh.triangles.empty()) text += ", " + std::to_string(mesh.triangles.size()) + " triangles";
   text += ", " + std::to_string(mesh.points.size()) + " nodes";
   if (mesh.quads.empty()) return text;
-  // As measure() has them, which does much more: that would take most of the time.
-  double least = 1, sum = 0, log_beta = 0;
-  std::size_t n_inverted = 0;
+  QuadSums sums;  // measure() would look at much more
   for (const auto& nodes : mesh.quads) {
     const QuadPoints quad = corners(mesh, nodes);
-    const double jacobian = scaled_jacobian(quad);
-    least = std::min(least, jacobian);
-    sum += jacobian;
-    log_beta += std::log(std::max(quad_distortion(quad), 1e-12));
-    n_inverted += jacobian <= 0;
+    sums.add(quad_distortion(quad), scaled_jacobian(quad));
   }
-  const auto n = static_cast<double>(mesh.quads.size());
-  text += "; scaled Jacobian least " + figure(least) + ", mean " + figure(sum / n) + "; beta mean " +
-          figure(std::exp(log_beta / n));
-  if (n_inverted > 0) text += "; " + std::to_string(n_inverted) + " inverted";
+  text += "; scaled Jacobian least " + figure(sums.jacobian_min()) + ", mean " + figure(sums.jacobian_mean()) +
+          "; beta mean " + figure(sums.beta_mean());
+  if (sums.n_inverted() > 0) text += "; " + std::to_string(sums.n_inverted()) + " inverted";
   return text;
 }
 

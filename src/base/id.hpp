@@ -56,14 +56,14 @@ class IdVector {
 };
 
 // The mesh (topo, mesh)
-using NodeId = Id<struct NodeTag>;
-using HalfId = Id<struct HalfTag>;  ///< a half-edge: an edge seen from the face on its left
-using EdgeId = Id<struct EdgeTag>;
-using FaceId = Id<struct FaceTag>;
+using NodeId = Id<struct NodeIdTag>;
+using HalfId = Id<struct HalfIdTag>;  ///< a half-edge: an edge seen from the face on its left
+using EdgeId = Id<struct EdgeIdTag>;
+using FaceId = Id<struct FaceIdTag>;
 
 // The planar arrangement (domain)
-using VertexId = Id<struct VertexTag>;  ///< a point that must be a mesh node
-using CurveId = Id<struct CurveTag>;    ///< a piece of curve between two vertices
-using CellId = Id<struct CellTag>;      ///< a piece of the domain between the curves
+using VertexId = Id<struct VertexIdTag>;  ///< a point that must be a mesh node
+using CurveId = Id<struct CurveIdTag>;    ///< a piece of curve between two vertices
+using CellId = Id<struct CellIdTag>;      ///< a piece of the domain between the curves
 
 }  // namespace quadline

@@ -10,9 +10,8 @@ std::uint64_t fingerprint(const WorkMesh& mesh) {
     constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio: spreads over all bits
     sum = std::rotl((sum ^ std::bit_cast<std::uint64_t>(x)) * kOdd, 29);
   };
-  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
-    if (!mesh.topo().is_live(FaceId(i))) continue;
-    const Polygon p = mesh.topo().polygon(FaceId(i));
+  for (const FaceId f : mesh.topo().faces()) {
+    const Polygon p = mesh.topo().polygon(f);
     for (const NodeId v : p.corners()) {
       add(mesh.point(v).x);
       add(mesh.point(v).y);

@@ -1,11 +1,9 @@
 #include "cells/cell_cost.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "geom/element.hpp"
+#include "quality/regular_quads.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace quadline {
@@ -14,30 +12,15 @@ namespace {
 
 constexpr double kDistortion = 0.1;        // what a quad of no beta counts, in irregular nodes
 constexpr double kUnsound = 1000;          // what a quad that is not convex counts
-constexpr double kTie = 2.0 / 90;          // in right angles
 constexpr std::size_t kMostQuads = 10000;  // of a cell that is looked at
-
-// Quads too many (too few: negative) for the angle of a sector, in radians; 0 for either number near a tie.
-int quads_off(double angle, int quads) {
-  const double wanted = angle / (std::numbers::pi / 2);
-  const double least = std::max(1.0, std::round(wanted - kTie)), most = std::max(1.0, std::round(wanted + kTie));
-  return quads > most ? quads - static_cast<int>(most) : quads < least ? quads - static_cast<int>(least) : 0;
-}
-
-template <class Visit>
-void for_each_quad(const WorkMesh& mesh, Visit visit) {
-  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i)
-    if (const FaceId f(i); mesh.topo().is_live(f)) visit(f);
-}
 
 // Calls visit(quads too many) for every sector, an inner node's too, that has not the number of quads that suits its
 // angle, as the report counts them.
 template <class Visit>
 void for_each_irregular(const WorkMesh& mesh, Visit visit) {
   const Topology& topo = mesh.topo();
-  for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-    const NodeId v(i);
-    if (!topo.is_live(v) || !topo.out(v).valid()) continue;
+  for (const NodeId v : topo.nodes()) {
+    if (!topo.out(v).valid()) continue;
     bool on_curve = false;
     mesh.for_each_sector(v, [&](HalfId first, HalfId last, double angle) {
       on_curve = true;
@@ -56,10 +39,10 @@ void for_each_irregular(const WorkMesh& mesh, Visit visit) {
 
 double cell_cost(const WorkMesh& part) {
   double cost = 0;
-  for_each_quad(part, [&](FaceId f) {
+  for (const FaceId f : part.topo().faces()) {
     const QuadPoints q = part.quad_points(f);
     cost += kDistortion * (1 - quad_distortion(q)) + (is_sound(q) ? 0 : kUnsound);
-  });
+  }
   for_each_irregular(part, [&](int) { cost += 1; });
   return cost;
 }

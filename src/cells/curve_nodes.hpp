@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "base/csr.hpp"
 #include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
 #include "domain/size/size_field.hpp"
@@ -23,14 +23,14 @@ class CurveNodes {
   /// A mesh without faces: what bounds the cell, and the lines and points inside it. O(n log n) for its n nodes.
   WorkMesh of(CellId c) const;
   /// Number of segments of the cell in the end, halved or not.
-  std::size_t count(CellId c) const { return all_.of_cell[c].size(); }
+  std::size_t count(CellId c) const { return all_.of_cell[c.value].size(); }
   /// Quads that the cells need at least for their segments: no fewer than a row one quad wide.
   double least_quads() const;
 
  private:
   struct Layout {
-    WorkMesh nodes;                                          ///< those of the vertices first, no faces
-    IdVector<CellId, std::vector<std::uint32_t>> of_cell{};  ///< indices of segments
+    WorkMesh nodes;               ///< those of the vertices first, no faces
+    Rows<std::uint32_t> of_cell;  ///< indices of segments
   };
   void sort_by_cells(Layout& layout) const;
 

@@ -19,9 +19,7 @@ double area_of(const WorkMesh& mesh, FaceId f) {
 // The middle of the largest quad of each cell.
 IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cells) {
   IdVector<CellId, FaceId> largest(n_cells);
-  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
-    const FaceId f(i);
-    if (!mesh.topo().is_live(f)) continue;
+  for (const FaceId f : mesh.topo().faces()) {
     FaceId& best = largest[mesh.cell(f)];
     if (!best.valid() || area_of(mesh, f) > area_of(mesh, best)) best = f;
   }

@@ -12,9 +12,8 @@ constexpr NodeIndex kUnused = UINT32_MAX;
 IdVector<NodeId, NodeIndex> number_nodes(const WorkMesh& mesh, Mesh& flat) {
   const Topology& topo = mesh.topo();
   IdVector<NodeId, NodeIndex> index(topo.node_capacity(), kUnused);
-  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
-    const FaceId f(i);
-    if (!topo.is_live(f) || !mesh.cell(f).valid()) continue;
+  for (const FaceId f : topo.faces()) {
+    if (!mesh.cell(f).valid()) continue;
     topo.for_each_half(f, [&](HalfId h) { index[topo.tail(h)] = 0; });
   }
   for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
@@ -30,12 +29,9 @@ IdVector<NodeId, NodeIndex> number_nodes(const WorkMesh& mesh, Mesh& flat) {
 class CurveChains {
  public:
   CurveChains(const WorkMesh& mesh, const Domain& domain) : mesh_(mesh), domain_(domain) {
-    const Topology& topo = mesh.topo();
     node_at_.assign(domain.vertices.count(), NodeId());
-    for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-      const NodeId v(i);
-      if (topo.is_live(v) && mesh.tag(v).vertex.valid()) node_at_[mesh.tag(v).vertex] = v;
-    }
+    for (const NodeId v : mesh.topo().nodes())
+      if (mesh.tag(v).vertex.valid()) node_at_[mesh.tag(v).vertex] = v;
   }
 
   NodeId node_at(VertexId v) const { return node_at_[v]; }
@@ -73,9 +69,8 @@ Mesh flatten(const WorkMesh& mesh, const Domain& domain) {
   Mesh flat;
   flat.regions = domain.regions;
   const IdVector<NodeId, NodeIndex> index = number_nodes(mesh, flat);
-  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
-    const FaceId f(i);
-    if (!topo.is_live(f) || !mesh.cell(f).valid()) continue;
+  for (const FaceId f : topo.faces()) {
+    if (!mesh.cell(f).valid()) continue;
     const Polygon p = topo.polygon(f);
     const std::uint32_t region = domain.cells[mesh.cell(f)].region;
     if (p.n == 4) {

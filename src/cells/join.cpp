@@ -48,8 +48,8 @@ class Joiner {
  private:
   template <class Visit>
   static void for_each_node(const WorkMesh& part, Visit visit) {
-    for (std::size_t i = 0; i < part.topo().node_capacity(); ++i)
-      if (const NodeId v(i); part.topo().is_live(v) && part.topo().out(v).valid()) visit(v);
+    for (const NodeId v : part.topo().nodes())
+      if (part.topo().out(v).valid()) visit(v);
   }
 
   void find_places() {
@@ -84,9 +84,8 @@ class Joiner {
       if (!shared.valid()) shared = add_node(part, v);
       number[v] = shared;
     });
-    for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
-      const FaceId f(i);
-      if (!topo.is_live(f) || !part.cell(f).valid()) continue;
+    for (const FaceId f : topo.faces()) {
+      if (!part.cell(f).valid()) continue;
       if (part.is_frozen(f)) frozen_.emplace_back(faces_.size());
       Polygon p = topo.polygon(f);
       for (int k = 0; k < p.n; ++k) p.nodes[k] = number[p.nodes[k]];
@@ -97,7 +96,7 @@ class Joiner {
 
   // Those of a curve between two cells come with both: one of them gives them all.
   void add_constraints(const WorkMesh& part, WorkMesh& mesh) {
-    for (Segment s : part.segments) {
+    for (Segment s : part.segments()) {
       giver_.grow(s.curve.value + std::size_t{1}, nullptr);
       const WorkMesh*& giver = giver_[s.curve];
       if (!giver) giver = &part;
@@ -107,7 +106,7 @@ class Joiner {
       const HalfId h = mesh.topo().find(s.a, s.b);
       QUADLINE_CHECK(h.valid());
       mesh.set_curve(edge_of(h), s.curve);
-      mesh.segments.push_back(s);
+      mesh.add_segment(s);
     }
   }
 

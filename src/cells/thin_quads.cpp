@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "quality/limits.hpp"
 #include "search/box_tree.hpp"
 #include "stages/verify/verify.hpp"
 
@@ -11,20 +12,13 @@ namespace quadline {
 
 namespace {
 
-constexpr double kThin = 0.05;                            // scaled Jacobian
 constexpr double kWidest = 165 * std::numbers::pi / 180;  // corner at a node that stays
-
-template <class Visit>
-void for_each_face(const WorkMesh& mesh, Visit visit) {
-  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i)
-    if (mesh.topo().is_live(FaceId(i))) visit(FaceId(i));
-}
 
 bool is_sound(const WorkMesh& mesh, FaceId f) { return !mesh.topo().is_triangle(f) && is_sound(mesh.quad_points(f)); }
 
 bool is_thin(const WorkMesh& mesh, FaceId f) {
   const QuadPoints q = mesh.quad_points(f);
-  if (scaled_jacobian(q) < kThin) return true;
+  if (scaled_jacobian(q) < kThinJacobian) return true;
   const Polygon p = mesh.topo().polygon(f);
   for (int i = 0; i < 4; ++i)
     if (!mesh.is_free(p.nodes[i]) && corner_angle(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) > kWidest) return true;
@@ -35,9 +29,8 @@ bool is_thin(const WorkMesh& mesh, FaceId f) {
 
 std::vector<FaceId> unsound_faces(const WorkMesh& mesh) {
   std::vector<FaceId> faces;
-  for_each_face(mesh, [&](FaceId f) {
+  for (const FaceId f : mesh.topo().faces())
     if (!is_sound(mesh, f)) faces.push_back(f);
-  });
   return faces;
 }
 
@@ -52,7 +45,7 @@ void freeze_thin_quads(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   IdVector<FaceId, std::uint8_t> is_frozen(topo.face_capacity(), 0);
   std::vector<FaceId> work;
-  for_each_face(mesh, [&](FaceId f) { work.push_back(f); });
+  for (const FaceId f : topo.faces()) work.push_back(f);
   while (!work.empty()) {
     const FaceId f = work.back();
     work.pop_back();
@@ -74,13 +67,13 @@ void freeze_near(WorkMesh& mesh, const std::vector<Point>& places, double reach,
     boxes.push_back({{p.x - r, p.y - r}, {p.x + r, p.y + r}});
   }
   const BoxTree tree(boxes);
-  for_each_face(mesh, [&](FaceId f) {
-    if (!is_sound(mesh, f)) return;
+  for (const FaceId f : mesh.topo().faces()) {
+    if (!is_sound(mesh, f)) continue;
     const Point c = centre_of(mesh, f);
     bool is_near = false;
     tree.query({c, c}, [&](std::uint32_t) { is_near = true; });
     if (is_near) mesh.freeze(f);
-  });
+  }
 }
 
 }  // namespace quadline

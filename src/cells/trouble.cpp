@@ -1,8 +1,8 @@
 #include "cells/trouble.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "cells/thin_quads.hpp"
 #include "domain/cell_locator.hpp"
 #include "domain/cell_set.hpp"
@@ -11,18 +11,18 @@ namespace quadline {
 
 namespace {
 
-constexpr double kThin = 0.03;  // least over greatest distance between two corners of a quad
+constexpr double kThinShape = 0.03;  // least over greatest distance between two corners of a quad
 
 bool is_thin(const WorkMesh& mesh, FaceId f) {
   const Polygon p = mesh.topo().polygon(f);
-  double least2 = std::numeric_limits<double>::infinity(), most2 = 0;
+  double least2 = kInfinity, most2 = 0;
   for (int i = 0; i < p.n; ++i)
     for (int k = 0; k < i; ++k) {
       const double apart2 = norm2(mesh.point(p.nodes[i]) - mesh.point(p.nodes[k]));
       least2 = std::min(least2, apart2);
       most2 = std::max(most2, apart2);
     }
-  return least2 < kThin * kThin * most2;
+  return least2 < kThinShape * kThinShape * most2;
 }
 
 }  // namespace

@@ -1,30 +1,29 @@
 #include "domain/cell_locator.hpp"
 
 #include <cmath>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace quadline {
-
-constexpr double kNone = std::numeric_limits<double>::infinity();
 
 double ray_distance(Point p, Point d, double reach, const CurvePiece& piece) {
   if (!piece.is_arc()) {
     const Point e = piece.b - piece.a;
     const double det = cross(d, e);
-    if (det == 0) return kNone;
+    if (det == 0) return kInfinity;
     const double t = cross(piece.a - p, e) / det, u = cross(piece.a - p, d) / det;
-    return t > 0 && t <= reach && u >= 0 && u <= 1 ? t : kNone;
+    return t > 0 && t <= reach && u >= 0 && u <= 1 ? t : kInfinity;
   }
   const Point c = piece.center - p;
   const double along = dot(c, d), off = cross(d, c), half2 = piece.radius * piece.radius - off * off;
-  if (half2 < 0) return kNone;
+  if (half2 < 0) return kInfinity;
   const double half = std::sqrt(half2);
   for (double t : {along - half, along + half}) {
     if (t <= 0 || t > reach) continue;
     const Point q = p + t * d;
     if (distance(point_at(piece, project(piece, q)), q) <= 1e-6 * piece.radius) return t;
   }
-  return kNone;
+  return kInfinity;
 }
 
 std::vector<Box> boxes_of_curves(const Domain& domain) {
@@ -44,9 +43,9 @@ CellId CellLocator::at(Point p) const {
   CellId found;
   for (Point d : kDirections) {
     CurveId curve;
-    double nearest = kNone;
+    double nearest = kInfinity;
     tree_.ray(p, d, [&](std::uint32_t item) {
-      const double t = ray_distance(p, d, kNone, domain_.curves[CurveId(item)].piece);
+      const double t = ray_distance(p, d, kInfinity, domain_.curves[CurveId(item)].piece);
       if (t < nearest) {
         nearest = t;
         curve = CurveId(item);

@@ -52,9 +52,8 @@ void restore_delaunay(WorkMesh& mesh, std::vector<EdgeId>& suspects) {
   while (!suspects.empty()) {
     const EdgeId e = suspects.back();
     suspects.pop_back();
-    if (!topo.is_live(e) || mesh.is_constraint(e)) continue;
+    if (!topo.is_live(e) || mesh.can_merge(e) != Refusal::None) continue;
     const HalfId h = half_of(e, 0), t = half_of(e, 1);
-    if (!mesh.is_triangle(h) || !mesh.is_triangle(t)) continue;
     // Inside the circle implies that the two triangles form a convex quadrilateral.
     if (in_circle(mesh.point(topo.tail(h)), mesh.point(topo.head(h)), mesh.point(topo.head(topo.next(h))),
                   mesh.point(topo.head(topo.next(t)))) <= 0)

@@ -27,7 +27,7 @@ Way way_between(const WorkMesh& mesh, NodeId a, NodeId b, EdgeId held, std::size
   });
   if (way.obstacle.node.valid()) return way;
   while (x.valid() && way.crossed.size() < most_crossed) {
-    if (mesh.is_constraint(x) || !mesh.is_triangle(twin(x)) || edge_of(x) == held) {
+    if (mesh.can_merge(edge_of(x)) != Refusal::None || edge_of(x) == held) {
       way.obstacle.edge = edge_of(x);
       return way;
     }

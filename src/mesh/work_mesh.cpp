@@ -36,9 +36,7 @@ double WorkMesh::angle_between(HalfId a, HalfId b) const {
 
 Refusal WorkMesh::can_swap(EdgeId e) const {
   const HalfId h = half_of(e, 0), t = half_of(e, 1);
-  if (is_constraint(e)) return Refusal::OnConstraint;
-  if (!topo_.face(h).valid() || !topo_.face(t).valid()) return Refusal::OnBoundary;
-  if (!is_triangle(h) || !is_triangle(t)) return Refusal::NotTriangles;
+  if (const Refusal refusal = can_merge(e); refusal != Refusal::None) return refusal;
   const Point a = point(topo_.tail(h)), b = point(topo_.tail(t));
   const Point c = point(topo_.tail(topo_.prev(h))), d = point(topo_.tail(topo_.prev(t)));
   if (orientation(d, c, a) <= 0 || orientation(c, d, b) <= 0) return Refusal::WouldInvert;
@@ -61,10 +59,11 @@ void WorkMesh::split_edge(EdgeId e, NodeId v) {
   const EdgeId rest = topo_.split_edge(e, v);
   fit();
   curve_[rest] = curve_[e];
+  is_constraint_[rest] = is_constraint_[e];
   if (left.valid()) cell_[topo_.face(half_of(rest, 0))] = cell_[topo_.face(half_of(e, 0))] = cell_[left];
   if (right.valid()) cell_[topo_.face(half_of(rest, 1))] = cell_[topo_.face(half_of(e, 1))] = cell_[right];
   topo_.for_each_out(v, [&](HalfId h) {
-    if (edge_of(h) != e && edge_of(h) != rest) curve_[edge_of(h)] = CurveId();
+    if (edge_of(h) != e && edge_of(h) != rest) set_curve(edge_of(h), CurveId());
   });
 }
 
@@ -78,60 +77,60 @@ void WorkMesh::split_face(FaceId f, NodeId v) {
   const auto [g, k] = topo_.split_face(f, v);
   fit();
   cell_[g] = cell_[k] = cell_[f];
-  topo_.for_each_out(v, [&](HalfId h) { curve_[edge_of(h)] = CurveId(); });
+  topo_.for_each_out(v, [&](HalfId h) { set_curve(edge_of(h), CurveId()); });
 }
 
 void WorkMesh::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,
                               std::vector<FaceId>& made) {
   const CellId cell = cell_[faces.front()];
 #ifndef NDEBUG
-  for (const FaceId f : faces) QUADLINE_CHECK(cell_[f] == cell);
+  for (const FaceId f : faces) QUADLINE_CHECK(cell_[f] == cell && can_replace(f) == Refusal::None);
 #endif
-  const std::vector<Segment> inside = constraints_inside(faces);
-  std::vector<HalfId> fresh;
-  topo_.replace_cavity(faces, polygons, made, fresh);
+  find_constraints_inside(faces);
+  topo_.replace_cavity(faces, polygons, made, fresh_);
   fit();
-  for (const HalfId h : fresh) curve_[edge_of(h)] = CurveId();
+  for (const HalfId h : fresh_) set_curve(edge_of(h), CurveId());
   for (const FaceId f : made) cell_[f] = cell;
-  for (const Segment& s : inside) {
+  for (const Segment& s : inside_) {
     const HalfId h = topo_.find(s.a, s.b);
     QUADLINE_CHECK(h.valid());
-    curve_[edge_of(h)] = s.curve;
+    set_curve(edge_of(h), s.curve);
   }
 }
 
 // A cavity may go round the end of an open line, and so hold both sides of its last edge.
-std::vector<Segment> WorkMesh::constraints_inside(std::span<const FaceId> faces) const {
-  std::vector<Segment> found;
+void WorkMesh::find_constraints_inside(std::span<const FaceId> faces) {
+  inside_.clear();
   for (const FaceId f : faces)
     topo_.for_each_half(f, [&](HalfId h) {
       if (!is_constraint(h) || h > twin(h) || std::find(faces.begin(), faces.end(), topo_.face(twin(h))) == faces.end())
         return;
-      found.push_back({topo_.tail(h), topo_.head(h), curve_[edge_of(h)]});
+      inside_.push_back({topo_.tail(h), topo_.head(h), curve_[edge_of(h)]});
     });
-  return found;
 }
 
 void WorkMesh::freeze(FaceId f) {
   topo_.for_each_half(f, [&](HalfId h) {
     tag_[topo_.tail(h)].kind = NodeKind::Fixed;
-    if (!is_constraint(h)) curve_[edge_of(h)] = kFrozen;
+    is_constraint_[edge_of(h)] = 1;
   });
 }
 
 // Also where frozen faces are all round it.
 bool WorkMesh::is_frozen(FaceId f) const {
-  bool all = true, any = false;
-  topo_.for_each_half(f, [&](HalfId h) {
-    all &= is_constraint(h);
-    any |= curve_[edge_of(h)] == kFrozen;
-  });
-  return all && any;
+  bool is_held = false;  // by more than curves
+  const HalfId start = topo_.first(f);
+  HalfId h = start;
+  do {
+    if (!is_constraint(h)) return false;
+    is_held |= !curve_[edge_of(h)].valid();
+    h = topo_.next(h);
+  } while (h != start);
+  return is_held;
 }
 
 void WorkMesh::thaw() {
-  for (CurveId& c : curve_)
-    if (c == kFrozen) c = CurveId();
+  for (const EdgeId e : topo_.edges()) is_constraint_[e] = curve_[e].valid();
   for (NodeTag& tag : tag_)
     if (!tag.vertex.valid()) tag.kind = tag.curve.valid() ? NodeKind::OnCurve : NodeKind::Free;
 }
@@ -141,6 +140,7 @@ void WorkMesh::build(std::vector<Point> points, std::vector<NodeTag> tags, std::
   point_.raw() = std::move(points);
   tag_.raw() = std::move(tags);
   curve_.assign(topo_.edge_capacity(), CurveId());
+  is_constraint_.assign(topo_.edge_capacity(), 0);
   cell_.assign(topo_.face_capacity(), CellId());
   fit();
 }
@@ -151,14 +151,10 @@ void WorkMesh::keep_cell(CellId c) {
 }
 
 void WorkMesh::drop_outside() {
-  for (std::size_t i = 0; i < topo_.face_capacity(); ++i) {
-    const FaceId f(i);
-    if (topo_.is_live(f) && !cell_[f].valid()) topo_.remove_face(f);
-  }
-  for (std::size_t i = 0; i < topo_.node_capacity(); ++i) {
-    const NodeId v(i);
-    if (topo_.is_live(v) && !topo_.out(v).valid()) topo_.remove_node(v);
-  }
+  for (const FaceId f : topo_.faces())
+    if (!cell_[f].valid()) topo_.remove_face(f);
+  for (const NodeId v : topo_.nodes())
+    if (!topo_.out(v).valid()) topo_.remove_node(v);
 }
 
 void WorkMesh::compact() { follow(topo_.compact()); }
@@ -166,10 +162,9 @@ void WorkMesh::compact() { follow(topo_.compact()); }
 void WorkMesh::sort_in_space() {
   std::vector<FaceId> faces;
   std::vector<Point> corners;
-  for (std::size_t i = 0; i < topo_.face_capacity(); ++i) {
-    if (!topo_.is_live(FaceId(i))) continue;
-    faces.push_back(FaceId(i));
-    corners.push_back(point(topo_.tail(topo_.first(FaceId(i)))));
+  for (const FaceId f : topo_.faces()) {
+    faces.push_back(f);
+    corners.push_back(point(topo_.tail(topo_.first(f))));
   }
   std::vector<FaceId> order;
   order.reserve(faces.size());
@@ -188,8 +183,9 @@ void WorkMesh::follow(const Topology::Renumbering& map) {
   move(point_, map.node, topo_.node_capacity());
   move(tag_, map.node, topo_.node_capacity());
   move(curve_, map.edge, topo_.edge_capacity());
+  move(is_constraint_, map.edge, topo_.edge_capacity());
   move(cell_, map.face, topo_.face_capacity());
-  for (Segment& s : segments) {
+  for (Segment& s : segments_) {
     s.a = map.node[s.a];
     s.b = map.node[s.b];
   }
@@ -199,6 +195,7 @@ void WorkMesh::fit() {
   point_.grow(topo_.node_capacity());
   tag_.grow(topo_.node_capacity());
   curve_.grow(topo_.edge_capacity());
+  is_constraint_.grow(topo_.edge_capacity(), 0);
   cell_.grow(topo_.face_capacity());
 }
 
@@ -222,9 +219,7 @@ int ideal_quads(const WorkMesh& mesh, NodeId v) {
 std::string defect(const WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   if (const char* text = topo.defect()) return text;
-  for (std::size_t i = 0; i < topo.face_capacity(); ++i) {
-    const FaceId f(i);
-    if (!topo.is_live(f)) continue;
+  for (const FaceId f : topo.faces()) {
     const Polygon p = topo.polygon(f);
     double area = 0;
     for (int k = 1; k + 1 < p.n; ++k)
@@ -236,9 +231,8 @@ std::string defect(const WorkMesh& mesh) {
       return "a face without positive area at (" + std::to_string(at.x) + ", " + std::to_string(at.y) + ")";
     }
   }
-  for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
-    const EdgeId e(i);
-    if (!topo.is_live(e) || !mesh.is_constraint(e)) continue;
+  for (const EdgeId e : topo.edges()) {
+    if (!mesh.is_constraint(e)) continue;
     if (mesh.is_free(topo.tail(half_of(e, 0))) || mesh.is_free(topo.tail(half_of(e, 1))))
       return "a constraint edge ends at a free node";
   }

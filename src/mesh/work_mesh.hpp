@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/id.hpp"
@@ -39,7 +40,7 @@ enum class Refusal { None, OnBoundary, OnConstraint, NotTriangles, WouldInvert }
 /// The mesh that flows through the stages: connectivity, points, and what they belong to.
 ///
 /// It is also the gate: the one place that knows what a constraint forbids. Editing goes through it, so that the
-/// arrays follow the connectivity.
+/// arrays follow the connectivity; `can_...` and `is_free` say what may be edited.
 class WorkMesh {
  public:
   const Topology& topo() const { return topo_; }
@@ -47,6 +48,7 @@ class WorkMesh {
   // Nodes
   Point point(NodeId v) const { return point_[v]; }
   const NodeTag& tag(NodeId v) const { return tag_[v]; }
+  /// Belongs to no constraint: edits may move it and take it away.
   bool is_free(NodeId v) const { return tag_[v].kind == NodeKind::Free; }
   NodeId add_node(Point p, const NodeTag& tag = {});
   void move(NodeId v, Point p) { point_[v] = p; }  ///< free nodes
@@ -54,11 +56,15 @@ class WorkMesh {
 
   // Edges
   CurveId curve(EdgeId e) const { return curve_[e]; }
-  bool is_constraint(EdgeId e) const { return curve_[e].valid(); }
+  /// Of a curve, or of a frozen face.
+  bool is_constraint(EdgeId e) const { return is_constraint_[e] != 0; }
   bool is_constraint(HalfId h) const { return is_constraint(edge_of(h)); }
   /// The face on one side is outside the domain.
   bool is_boundary(EdgeId e) const { return is_outside(half_of(e, 0)) || is_outside(half_of(e, 1)); }
-  void set_curve(EdgeId e, CurveId c) { curve_[e] = c; }
+  void set_curve(EdgeId e, CurveId c) {
+    curve_[e] = c;
+    is_constraint_[e] = c.valid();
+  }
   double edge_length(EdgeId e) const {
     return distance(point(topo_.tail(half_of(e, 0))), point(topo_.tail(half_of(e, 1))));
   }
@@ -81,6 +87,23 @@ class WorkMesh {
   void for_each_sector(NodeId v, Visit visit) const;
   /// Angle in radians, (0, 2 pi], from a to b counter-clockwise, both outgoing half-edges of one node.
   double angle_between(HalfId a, HalfId b) const;
+
+  // The gate: what an edit may reach
+  /// From the face on the left of h across it to the other.
+  Refusal can_cross(HalfId h) const {
+    if (is_constraint(h)) return Refusal::OnConstraint;
+    return topo_.face(twin(h)).valid() ? Refusal::None : Refusal::OnBoundary;
+  }
+  /// Two triangles may become one quad.
+  Refusal can_merge(EdgeId e) const {
+    if (is_constraint(e)) return Refusal::OnConstraint;
+    const FaceId f = topo_.face(half_of(e, 0)), g = topo_.face(half_of(e, 1));
+    if (!f.valid() || !g.valid()) return Refusal::OnBoundary;
+    return topo_.is_triangle(f) && topo_.is_triangle(g) ? Refusal::None : Refusal::NotTriangles;
+  }
+  /// Other faces may come in the place of a face; those of a cavity must reach each other by `can_cross` as well, and
+  /// the nodes inside must be free.
+  Refusal can_replace(FaceId f) const { return is_frozen(f) ? Refusal::OnConstraint : Refusal::None; }
 
   // Local operators; each has its question
   Refusal can_swap(EdgeId e) const;  ///< also exact convexity
@@ -111,18 +134,24 @@ class WorkMesh {
   void sort_in_space();
 
   /// Nodes of curves in order, from the discretisation; the triangulation makes them edges.
-  std::vector<Segment> segments;
+  const std::vector<Segment>& segments() const { return segments_; }
+  void add_segment(const Segment& s) { segments_.push_back(s); }
+  void set_segments(std::vector<Segment> all) { segments_ = std::move(all); }
 
  private:
-  std::vector<Segment> constraints_inside(std::span<const FaceId> faces) const;
+  void find_constraints_inside(std::span<const FaceId> faces);
   void fit();  ///< grows the arrays after the connectivity
   void follow(const Topology::Renumbering& map);
-  static constexpr CurveId kFrozen{UINT32_MAX - 1};  ///< of edges that no curve holds
   Topology topo_;
   IdVector<NodeId, Point> point_;
   IdVector<NodeId, NodeTag> tag_;
   IdVector<EdgeId, CurveId> curve_;
+  IdVector<EdgeId, std::uint8_t> is_constraint_;
   IdVector<FaceId, CellId> cell_;
+  std::vector<Segment> segments_;
+  // Of replace_cavity, which is called too often to allocate.
+  std::vector<Segment> inside_;
+  std::vector<HalfId> fresh_;
 };
 
 /// Number of quads that fit best into a corner of the given angle (radians), at least 1: switches at 125, 218 and 310

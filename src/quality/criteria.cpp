@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "quadline/quality.hpp"
 #include "quality/criteria_values.hpp"
-#include "quality/mesh_sides.hpp"
+#include "quality/face_corners.hpp"
+#include "quality/mesh_edges.hpp"
 
 namespace quadline {
 
 namespace {
 
 constexpr std::size_t kWorst = 5;
-constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kRoundOff = 1e-12;  // relative; a right angle computed as 90 - 1e-14 is not below 90
 
 void keep_worst(std::vector<FailingQuad>& worst, const FailingQuad& quad, bool is_least) {
@@ -31,17 +31,17 @@ const std::vector<CriteriaField>& criteria_fields() {
   static const std::vector<CriteriaField> fields{
       {"min_angle_deg", &Criteria::min_angle_deg, true, false, 0, 360},
       {"max_angle_deg", &Criteria::max_angle_deg, false, false, 0, 360},
-      {"max_aspect", &Criteria::max_aspect, false, false, 1, kEndless},
+      {"max_aspect", &Criteria::max_aspect, false, false, 1, kInfinity},
       {"min_scaled_jacobian", &Criteria::min_scaled_jacobian, true, false, -1, 1},
       {"min_jacobian_ratio", &Criteria::min_jacobian_ratio, true, false, -1, 1},
       {"max_skew_deg", &Criteria::max_skew_deg, false, false, 0, 90},
-      {"max_taper", &Criteria::max_taper, false, false, 0, kEndless},
+      {"max_taper", &Criteria::max_taper, false, false, 0, kInfinity},
       {"min_beta", &Criteria::min_beta, true, false, 0, 1},
-      {"max_growth", &Criteria::max_growth, false, false, 1, kEndless},
-      {"min_edge", &Criteria::min_edge, true, false, 0, kEndless},
-      {"max_edge", &Criteria::max_edge, false, false, 0, kEndless},
-      {"min_edge_to_size", &Criteria::min_edge_to_size, true, true, 0, kEndless},
-      {"max_edge_to_size", &Criteria::max_edge_to_size, false, true, 0, kEndless}};
+      {"max_growth", &Criteria::max_growth, false, false, 1, kInfinity},
+      {"min_edge", &Criteria::min_edge, true, false, 0, kInfinity},
+      {"max_edge", &Criteria::max_edge, false, false, 0, kInfinity},
+      {"min_edge_to_size", &Criteria::min_edge_to_size, true, true, 0, kInfinity},
+      {"max_edge_to_size", &Criteria::max_edge_to_size, false, true, 0, kInfinity}};
   return fields;
 }
 
@@ -75,27 +75,25 @@ namespace {
 template <class SizesOf>
 CriteriaResult evaluate_sized(const Mesh& mesh, const Criteria& criteria, bool has_sizes, SizesOf sizes_of) {
   CriteriaResult result;
-  std::vector<std::size_t> asked;
-  const auto& fields = criteria_fields();
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const auto& limit = criteria.*fields[f].limit;
+  std::vector<CriteriaField> asked;
+  for (const CriteriaField& field : criteria_fields()) {
+    const auto& limit = criteria.*field.limit;
     if (!limit) continue;
-    asked.push_back(f);
-    result.limits.push_back({fields[f].name, *limit, has_sizes || !fields[f].to_size, 0, {}});
+    asked.push_back(field);
+    result.limits.push_back({field.name, *limit, has_sizes || !field.to_size, 0, {}});
   }
   std::vector<double> growth;
   if (criteria.max_growth) growth = growth_of_quads(mesh);
   for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
-    const auto& q = mesh.quads[i];
-    const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
+    const QuadPoints p = corners(mesh, mesh.quads[i]);
     const Point center = 0.25 * (p[0] + p[1] + p[2] + p[3]);
-    const auto values = criteria_values(p, sizes_of(i), growth.empty() ? 1 : growth[i]);
+    const Criteria values = criteria_values(criteria, p, sizes_of(i), growth.empty() ? 1 : growth[i]);
     bool fails = false;
     for (std::size_t k = 0; k < asked.size(); ++k) {
-      const CriteriaField& field = fields[asked[k]];
+      const CriteriaField& field = asked[k];
       LimitResult& limit = result.limits[k];
       if (!limit.is_checked) continue;
-      const double value = values[asked[k]];
+      const double value = *(values.*field.limit);
       const double beyond = field.is_least ? limit.limit - value : value - limit.limit;
       if (beyond <= kRoundOff * std::abs(limit.limit)) continue;
       fails = true;
@@ -117,11 +115,11 @@ CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::optiona
 
 CriteriaResult evaluate(const Mesh& mesh, const Criteria& criteria, std::span<const double> size) {
   if (size.empty() || !(criteria.min_edge_to_size || criteria.max_edge_to_size)) return evaluate(mesh, criteria);
-  const EdgeNumbers numbers(edges_of(mesh), mesh.points.size());
+  const MeshEdges edges(mesh);
   return evaluate_sized(mesh, criteria, true, [&](std::size_t i) {
     const auto& q = mesh.quads[i];
     std::array<double, 4> sizes{};
-    for (std::size_t k = 0; k < 4; ++k) sizes[k] = size[numbers.find(q[k], q[(k + 1) % 4])];
+    for (std::size_t k = 0; k < 4; ++k) sizes[k] = size[edges.find(q[k], q[(k + 1) % 4])];
     return sizes;
   });
 }

@@ -1,12 +1,10 @@
 #include "quality/irregular_nodes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "geom/element.hpp"
+#include "quality/regular_quads.hpp"
 
 namespace quadline {
 
@@ -16,14 +14,14 @@ namespace {
 // curve: each group so made is a wedge between curves, or all that is round an inner node.
 class Irregularity {
  public:
-  Irregularity(const Mesh& mesh, const std::vector<Side>& sides) : mesh_(mesh), sides_(sides) {}
+  Irregularity(const Mesh& mesh, const MeshEdges& edges) : mesh_(mesh), edges_(edges) {}
 
   std::vector<std::uint8_t> find_all() {
     mark_curves();
     join_wedges();
     const std::size_t n_corners = group_.size();
     std::vector<double> angle(n_corners, 0);
-    std::vector<std::uint32_t> faces(n_corners, 0);
+    std::vector<int> faces(n_corners, 0);
     std::vector<std::uint8_t> bad(mesh_.points.size(), 0);
     for (std::size_t c = 0; c < n_corners; ++c) {
       const std::size_t g = find(c);
@@ -33,33 +31,21 @@ class Irregularity {
     for (std::size_t c = 0; c < n_corners; ++c) {
       if (find(c) != c) continue;
       const NodeIndex v = node(c);
-      bad[v] |= on_curve_[v] ? !suits(angle[c], faces[c]) : faces[c] != 4;
+      bad[v] |= on_curve_[v] ? quads_off(angle[c], faces[c]) != 0 : faces[c] != 4;
     }
     return bad;
   }
 
  private:
-  static bool suits(double angle, std::uint32_t faces) {
-    const double degrees = angle * 180 / std::numbers::pi;
-    const double least = std::max(1.0, std::round((degrees - 2) / 90)),
-                 most = std::max(1.0, std::round((degrees + 2) / 90));
-    return faces >= least && faces <= most;
-  }
-
   void mark_curves() {
-    on_curve_.assign(mesh_.points.size(), 0);
-    std::vector<std::array<NodeIndex, 2>> curve_edges;
+    is_curve_.assign(edges_.count() + 1, 0);  // the last: edges that are none of the mesh
     for (const EdgeSet& set : mesh_.curves)
-      for (const auto& [a, b] : set.edges) curve_edges.push_back({std::min(a, b), std::max(a, b)});
-    std::sort(curve_edges.begin(), curve_edges.end());
-    curve_.assign(sides_.size(), 0);
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const Side& s = sides_[i];
-      const bool shared =
-          (i > 0 && same_edge(s, sides_[i - 1])) || (i + 1 < sides_.size() && same_edge(s, sides_[i + 1]));
-      curve_[i] =
-          !shared || std::binary_search(curve_edges.begin(), curve_edges.end(), std::array<NodeIndex, 2>{s.a, s.b});
-      if (curve_[i]) on_curve_[s.a] = on_curve_[s.b] = 1;
+      for (const auto& [a, b] : set.edges) is_curve_[edges_.find(a, b)] = 1;
+    on_curve_.assign(mesh_.points.size(), 0);
+    for (std::size_t e = 0; e < edges_.count(); ++e) {
+      if (edges_.sides(e).size() == 1) is_curve_[e] = 1;
+      if (is_curve_[e])
+        for (const NodeIndex v : edges_.nodes(e)) on_curve_[v] = 1;
     }
   }
 
@@ -91,12 +77,14 @@ class Irregularity {
       const std::size_t i = s.corner, n = n_sides(s.face);
       return first_corner(s.face) + (s.forward == at_a ? i : (i + 1) % n);
     };
-    for (std::size_t i = 1; i < sides_.size(); ++i) {
-      if (curve_[i] || !same_edge(sides_[i], sides_[i - 1])) continue;
-      for (const bool at_a : {true, false}) {
-        const std::size_t p = find(corner_at(sides_[i], at_a)), q = find(corner_at(sides_[i - 1], at_a));
-        group_[std::max(p, q)] = static_cast<std::uint32_t>(std::min(p, q));
-      }
+    for (std::size_t e = 0; e < edges_.count(); ++e) {
+      if (is_curve_[e]) continue;
+      const std::span<const Side> sides = edges_.sides(e);
+      for (std::size_t i = 1; i < sides.size(); ++i)
+        for (const bool at_a : {true, false}) {
+          const std::size_t p = find(corner_at(sides[i], at_a)), q = find(corner_at(sides[i - 1], at_a));
+          group_[std::max(p, q)] = static_cast<std::uint32_t>(std::min(p, q));
+        }
     }
   }
   std::size_t find(std::size_t c) {
@@ -105,15 +93,15 @@ class Irregularity {
   }
 
   const Mesh& mesh_;
-  const std::vector<Side>& sides_;
-  std::vector<std::uint8_t> curve_, on_curve_;  // of sides; of nodes
-  std::vector<std::uint32_t> group_;            // of corners: union-find
+  const MeshEdges& edges_;
+  std::vector<std::uint8_t> is_curve_, on_curve_;  // of edges; of nodes
+  std::vector<std::uint32_t> group_;               // of corners: union-find
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> irregular_nodes(const Mesh& mesh, const std::vector<Side>& sides) {
-  return Irregularity(mesh, sides).find_all();
+std::vector<std::uint8_t> irregular_nodes(const Mesh& mesh, const MeshEdges& edges) {
+  return Irregularity(mesh, edges).find_all();
 }
 
 }  // namespace quadline

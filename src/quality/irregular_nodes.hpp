@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "quadline/mesh.hpp"
-#include "quality/mesh_sides.hpp"
+#include "quality/mesh_edges.hpp"
 
 namespace quadline {
 
-/// 1 for every irregular node: an inner one without four faces, one on a curve with a wedge that does not hold
-/// round(angle / 90) faces (within 2 degrees of a rounding limit either number is right).
-/// @param sides  sorted_sides(mesh)
-/// Cost O(sides log curve edges).
-std::vector<std::uint8_t> irregular_nodes(const Mesh& mesh, const std::vector<Side>& sides);
+/// 1 for every irregular node: an inner one without four faces, one on a curve with a wedge that does not hold the
+/// number of faces that suits it (`quads_off`).
+/// @param edges  of the mesh.
+/// Cost O(edges).
+std::vector<std::uint8_t> irregular_nodes(const Mesh& mesh, const MeshEdges& edges);
 
 }  // namespace quadline

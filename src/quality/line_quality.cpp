@@ -2,75 +2,52 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 
+#include "base/constants.hpp"
+#include "base/csr.hpp"
 #include "geom/element.hpp"
 #include "quadline/quality.hpp"
+#include "quality/face_corners.hpp"
 #include "quality/irregular_nodes.hpp"
-#include "quality/mesh_sides.hpp"
+#include "quality/mesh_edges.hpp"
+#include "quality/quad_sums.hpp"
 
 namespace quadline {
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr std::uint32_t kNowhere = UINT32_MAX;
-
 // What all curves of a mesh share: the quads and edges at their nodes.
 class CurveNodes {
  public:
-  CurveNodes(const Mesh& mesh, const std::vector<std::array<NodeIndex, 2>>& edges) : place_(mesh.points.size()) {
-    is_curve_.assign(edges.size(), 0);
-    std::fill(place_.begin(), place_.end(), kNowhere);
+  CurveNodes(const Mesh& mesh, const MeshEdges& edges)
+      : is_curve_(edges.count() + 1, 0), place_(mesh.points.size(), kNone) {
+    std::uint32_t n_places = 0;
     for (const EdgeSet& set : mesh.curves)
-      for (const auto& edge : set.edges)
+      for (const auto& edge : set.edges) {
+        is_curve_[edges.find(edge[0], edge[1])] = 1;
         for (const NodeIndex v : edge)
-          if (place_[v] == kNowhere) place_[v] = n_places_++;
-    first_.assign(n_places_ + 1, 0);
-    for_each_corner(mesh, [&](std::size_t, NodeIndex v) { ++first_[place_[v] + 1]; });
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    quads_.resize(first_.back());
-    std::vector<std::size_t> fill = first_;
-    for_each_corner(mesh, [&](std::size_t quad, NodeIndex v) { quads_[fill[place_[v]]++] = quad; });
+          if (place_[v] == kNone) place_[v] = n_places++;
+      }
+    quads_.fill(n_places, [&](const auto& visit) {
+      for (std::size_t i = 0; i < mesh.quads.size(); ++i)
+        for (const NodeIndex v : mesh.quads[i])
+          if (place_[v] != kNone) visit(place_[v], i);
+    });
   }
 
-  void mark(std::size_t edge) { is_curve_[edge] = 1; }
   bool is_curve(std::size_t edge) const { return is_curve_[edge]; }
-
-  template <class Visit>
-  void for_each_quad(NodeIndex v, Visit visit) const {
-    for (std::size_t i = first_[place_[v]]; i < first_[place_[v] + 1]; ++i) visit(quads_[i]);
-  }
+  std::span<const std::size_t> quads(NodeIndex v) const { return quads_[place_[v]]; }
 
  private:
-  template <class Visit>
-  void for_each_corner(const Mesh& mesh, Visit visit) const {
-    for (std::size_t i = 0; i < mesh.quads.size(); ++i)
-      for (const NodeIndex v : mesh.quads[i])
-        if (place_[v] != kNowhere) visit(i, v);
-  }
-
-  std::vector<std::uint32_t> place_;  // of nodes among those on curves
-  std::uint32_t n_places_ = 0;
-  std::vector<std::size_t> first_;  // by place: the first of its quads
-  std::vector<std::size_t> quads_;
-  std::vector<std::uint8_t> is_curve_;  // of edges
+  std::vector<std::uint8_t> is_curve_;  // of edges; the last: of those that the mesh has not
+  std::vector<std::uint32_t> place_;    // of nodes among those on curves
+  Rows<std::size_t> quads_;             // by place
 };
 
 class LineMeasure {
  public:
   LineMeasure(const Mesh& mesh, std::span<const double> size)
-      : mesh_(mesh),
-        size_(size),
-        sides_(sorted_sides(mesh)),
-        edges_(unique_edges(sides_)),
-        numbers_(edges_, mesh.points.size()),
-        nodes_(mesh, edges_),
-        is_irregular_(irregular_nodes(mesh, sides_)) {
-    for (const EdgeSet& set : mesh.curves)
-      for (const auto& [a, b] : set.edges)
-        if (const std::size_t e = numbers_.find(a, b); e < numbers_.count()) nodes_.mark(e);
-  }
+      : mesh_(mesh), size_(size), edges_(mesh), nodes_(mesh, edges_), is_irregular_(irregular_nodes(mesh, edges_)) {}
 
   LineQuality measure(const EdgeSet& set) const {
     LineQuality line{.name = set.name, .kind = set.kind, .n_edges = set.edges.size()};
@@ -80,7 +57,8 @@ class LineMeasure {
     std::vector<std::size_t> quads;
     for (const NodeIndex v : nodes) {
       line.n_irregular += is_irregular_[v];
-      nodes_.for_each_quad(v, [&](std::size_t q) { quads.push_back(q); });
+      const std::span<const std::size_t> round = nodes_.quads(v);
+      quads.insert(quads.end(), round.begin(), round.end());
     }
     sort_unique(quads);
     add_quads(quads, line);
@@ -99,25 +77,21 @@ class LineMeasure {
   void add_quads(const std::vector<std::size_t>& quads, LineQuality& line) const {
     line.n_quads = quads.size();
     if (quads.empty()) return;
-    double log_beta = 0;
-    line.beta_min = line.scaled_jacobian_min = 1;
+    QuadSums sums;
     line.min_angle_deg = 360;
     for (const std::size_t i : quads) {
-      const auto& q = mesh_.quads[i];
-      const QuadPoints p{mesh_.points[q[0]], mesh_.points[q[1]], mesh_.points[q[2]], mesh_.points[q[3]]};
-      const double beta = quad_distortion(p), jacobian = scaled_jacobian(p);
-      log_beta += std::log(std::max(beta, 1e-12));
-      line.beta_min = std::min(line.beta_min, beta);
-      line.scaled_jacobian_mean += jacobian;
-      line.scaled_jacobian_min = std::min(line.scaled_jacobian_min, jacobian);
+      const QuadPoints p = corners(mesh_, mesh_.quads[i]);
+      sums.add(quad_distortion(p), scaled_jacobian(p));
       for (std::size_t k = 0; k < 4; ++k) {
-        const double angle = corner_angle(p[(k + 3) % 4], p[k], p[(k + 1) % 4]) * kDegrees;
+        const double angle = corner_angle(p[(k + 3) % 4], p[k], p[(k + 1) % 4]) * kDegreesPerRadian;
         line.min_angle_deg = std::min(line.min_angle_deg, angle);
         line.max_angle_deg = std::max(line.max_angle_deg, angle);
       }
     }
-    line.beta_mean = std::exp(log_beta / static_cast<double>(quads.size()));
-    line.scaled_jacobian_mean /= static_cast<double>(quads.size());
+    line.beta_min = sums.beta_min();
+    line.beta_mean = sums.beta_mean();
+    line.scaled_jacobian_min = sums.jacobian_min();
+    line.scaled_jacobian_mean = sums.jacobian_mean();
   }
 
   void add_lengths(const EdgeSet& set, LineQuality& line) const {
@@ -125,8 +99,8 @@ class LineMeasure {
     LengthToSize& r = line.edge_to_size.emplace();
     std::size_t n = 0;
     for (const auto& [a, b] : set.edges) {
-      const std::size_t e = numbers_.find(a, b);
-      if (e == numbers_.count()) continue;
+      const std::size_t e = edges_.find(a, b);
+      if (e == edges_.count()) continue;
       const double ratio = distance(mesh_.points[a], mesh_.points[b]) / size_[e];
       r.min = n == 0 ? ratio : std::min(r.min, ratio);
       r.max = std::max(r.max, ratio);
@@ -146,15 +120,15 @@ class LineMeasure {
       const NodeIndex v = before[1];
       if (after[0] != v) continue;  // an end
       const Point along = direction(before[0], v) + direction(v, after[1]);
-      nodes_.for_each_quad(v, [&](std::size_t q) {
+      for (const std::size_t q : nodes_.quads(v)) {
         const auto& quad = mesh_.quads[q];
         const auto corner = static_cast<std::size_t>(std::find(quad.begin(), quad.end(), v) - quad.begin());
         const NodeIndex next = quad[(corner + 1) % 4];
-        if (nodes_.is_curve(numbers_.find(v, next))) return;
+        if (nodes_.is_curve(edges_.find(v, next))) continue;
         const Point rung = direction(v, next);
-        sum += std::atan2(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegrees;
+        sum += std::atan2(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegreesPerRadian;
         ++n;
-      });
+      }
     }
     if (n > 0) line.off_normal_deg = sum / static_cast<double>(n);
   }
@@ -167,9 +141,7 @@ class LineMeasure {
 
   const Mesh& mesh_;
   std::span<const double> size_;
-  std::vector<Side> sides_;
-  std::vector<std::array<NodeIndex, 2>> edges_;
-  EdgeNumbers numbers_;
+  MeshEdges edges_;
   CurveNodes nodes_;
   std::vector<std::uint8_t> is_irregular_;
 };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geom/predicates.hpp"
+#include "quality/mesh_edges.hpp"
 #include "search/box_tree.hpp"
 
 namespace quadline {
@@ -12,13 +13,6 @@ namespace quadline {
 namespace {
 
 constexpr double kNothing = 1e-9;  // of the extent of the mesh
-
-/// An edge as an element sees it, counter-clockwise.
-struct Side {
-  NodeIndex low, high;
-  bool upward;  ///< from `low` to `high`
-  friend auto operator<=>(const Side&, const Side&) = default;
-};
 
 void note(MeshFault& fault, Point at) {
   if (fault.count++ == 0) fault.first = at;
@@ -49,12 +43,12 @@ class Search {
     std::sort(key.begin(), key.end());
     elements_.push_back(key);
     const auto end = key.begin() + N;
-    if (std::adjacent_find(key.begin(), end) != end) return note(repeating_, at(element[0]));
+    const bool repeats = std::adjacent_find(key.begin(), end) != end;
+    repeats_.push_back(repeats);
+    if (repeats) return note(repeating_, at(element[0]));
     int left_turns = 0, right_turns = 0;
     for (std::size_t i = 0; i < N; ++i) {
-      const NodeIndex a = element[i], b = element[(i + 1) % N];
-      sides_.push_back({std::min(a, b), std::max(a, b), a < b});
-      const int turn = orientation(at(a), at(b), at(element[(i + 2) % N]));
+      const int turn = orientation(at(element[i]), at(element[(i + 1) % N]), at(element[(i + 2) % N]));
       left_turns += turn > 0;
       right_turns += turn < 0;
     }
@@ -69,16 +63,17 @@ class Search {
       if (elements_[i] == elements_[i - 1]) note(duplicates_, at(elements_[i][0]));
   }
 
-  /// Each edge has one element on a side at most; those with one element in all are the boundary.
+  /// Each edge has one element on a side at most; those with one element in all are the boundary. Elements that repeat
+  /// a node do not count.
   void pair_sides() {
-    std::sort(sides_.begin(), sides_.end());
-    for (std::size_t i = 0; i < sides_.size();) {
-      std::size_t j = i + 1;
-      while (j < sides_.size() && sides_[j].low == sides_[i].low && sides_[j].high == sides_[i].high) ++j;
-      const bool fits = j - i == 1 || (j - i == 2 && sides_[i].upward != sides_[i + 1].upward);
-      if (!fits) note(folded_, midpoint(at(sides_[i].low), at(sides_[i].high)));
-      if (j - i == 1) boundary_.push_back({sides_[i].low, sides_[i].high});
-      i = j;
+    const MeshEdges edges(mesh_);
+    for (std::size_t e = 0; e < edges.count(); ++e) {
+      int n_forward = 0, n_backward = 0;
+      for (const Side& side : edges.sides(e))
+        if (!repeats_[side.face]) ++(side.forward ? n_forward : n_backward);
+      const auto [a, b] = edges.nodes(e);
+      if (n_forward > 1 || n_backward > 1) note(folded_, midpoint(at(a), at(b)));
+      if (n_forward + n_backward == 1) boundary_.push_back({a, b});
     }
   }
 
@@ -118,7 +113,7 @@ class Search {
 
   const Mesh& mesh_;
   std::vector<std::array<NodeIndex, 4>> elements_;  ///< their nodes, ascending
-  std::vector<Side> sides_;
+  std::vector<std::uint8_t> repeats_;               ///< whether they repeat a node
   std::vector<std::array<NodeIndex, 2>> boundary_;
   MeshFault repeating_{"elements that repeat a node", 0, {}}, inverted_{"inverted elements", 0, {}},
       not_convex_{"elements that are flat or not convex", 0, {}}, duplicates_{"duplicate elements", 0, {}},

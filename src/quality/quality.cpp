@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "geom/element.hpp"
+#include "quality/face_corners.hpp"
 #include "quality/irregular_nodes.hpp"
-#include "quality/mesh_sides.hpp"
+#include "quality/mesh_edges.hpp"
+#include "quality/quad_sums.hpp"
 
 namespace quadline {
 
@@ -45,23 +47,22 @@ Statistics statistics(std::vector<double>& values) {
   return s;
 }
 
-QuadPoints points_of(const Mesh& mesh, const std::array<NodeIndex, 4>& q) {
-  return {mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
-}
-
 // Of the widths of two quads across the edge that they share, the greater over the lesser; for all such edges.
 template <class Visit>
-void for_each_growth(const Mesh& mesh, const std::vector<Side>& sides, Visit visit) {
+void for_each_growth(const Mesh& mesh, const MeshEdges& edges, Visit visit) {
   const auto width = [&](const Side& s) {
-    const QuadPoints p = points_of(mesh, mesh.quads[s.face]);
+    const QuadPoints p = corners(mesh, mesh.quads[s.face]);
     const std::size_t i = s.corner;
     return distance(midpoint(p[i], p[(i + 1) % 4]), midpoint(p[(i + 2) % 4], p[(i + 3) % 4]));
   };
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side &s = sides[i - 1], &t = sides[i];
-    if (!same_edge(s, t) || s.face >= mesh.quads.size() || t.face >= mesh.quads.size()) continue;
-    const double a = width(s), b = width(t), least = std::min(a, b);
-    visit(s.face, t.face, least * kEndless > std::max(a, b) ? std::max(a, b) / least : kEndless);
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const std::span<const Side> sides = edges.sides(e);
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      const Side &s = sides[i - 1], &t = sides[i];
+      if (s.face >= mesh.quads.size() || t.face >= mesh.quads.size()) continue;
+      const double a = width(s), b = width(t), least = std::min(a, b);
+      visit(s.face, t.face, least * kEndless > std::max(a, b) ? std::max(a, b) / least : kEndless);
+    }
   }
 }
 
@@ -75,11 +76,17 @@ std::string_view verdict(double beta) {
 
 double distortion(Point a, Point b, Point c, Point d) { return quad_distortion({a, b, c, d}); }
 
-std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh) { return unique_edges(sorted_sides(mesh)); }
+std::vector<std::array<NodeIndex, 2>> edges_of(const Mesh& mesh) {
+  const MeshEdges edges(mesh);
+  std::vector<std::array<NodeIndex, 2>> nodes;
+  nodes.reserve(edges.count());
+  for (std::size_t e = 0; e < edges.count(); ++e) nodes.push_back(edges.nodes(e));
+  return nodes;
+}
 
 std::vector<double> growth_of_quads(const Mesh& mesh) {
   std::vector<double> growth(mesh.quads.size(), 1);
-  for_each_growth(mesh, sorted_sides(mesh), [&](std::uint32_t s, std::uint32_t t, double ratio) {
+  for_each_growth(mesh, MeshEdges(mesh), [&](std::uint32_t s, std::uint32_t t, double ratio) {
     growth[s] = std::max(growth[s], ratio);
     growth[t] = std::max(growth[t], ratio);
   });
@@ -92,18 +99,14 @@ Quality measure(const Mesh& mesh, std::span<const double> size) {
   q.n_quads = mesh.quads.size();
   q.n_triangles = mesh.triangles.size();
   std::vector<double> jacobian, least, greatest, aspect;
-  double log_beta = 0;
-  q.beta_min = 1;
+  QuadSums sums;
   for (const auto& quad : mesh.quads) {
-    const QuadPoints p = points_of(mesh, quad);
-    const double beta = quad_distortion(p);
-    log_beta += std::log(std::max(beta, 1e-12));
-    q.beta_min = std::min(q.beta_min, beta);
+    const QuadPoints p = corners(mesh, quad);
     jacobian.push_back(scaled_jacobian(p));
-    if (jacobian.back() <= 0) ++q.n_inverted;
+    sums.add(quad_distortion(p), jacobian.back());
     double low = 360, high = 0, shortest = 0, longest = 0;
     for (int i = 0; i < 4; ++i) {
-      const double angle = corner_angle(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) * 180 / std::numbers::pi;
+      const double angle = corner_angle(p[(i + 3) % 4], p[i], p[(i + 1) % 4]) * kDegreesPerRadian;
       low = std::min(low, angle);
       high = std::max(high, angle);
       const double length = distance(p[i], p[(i + 1) % 4]);
@@ -114,28 +117,29 @@ Quality measure(const Mesh& mesh, std::span<const double> size) {
     greatest.push_back(high);
     aspect.push_back(shortest > 0 ? longest / shortest : kEndless);
   }
-  if (mesh.quads.empty()) q.beta_min = 0;
-  q.beta_mean = mesh.quads.empty() ? 0 : std::exp(log_beta / static_cast<double>(mesh.quads.size()));
+  q.n_inverted = sums.n_inverted();
+  q.beta_min = sums.beta_min();
+  q.beta_mean = sums.beta_mean();
   q.scaled_jacobian = statistics(jacobian);
   q.min_angle_deg = statistics(least);
   q.max_angle_deg = statistics(greatest);
   q.aspect = statistics(aspect);
   std::vector<double> lengths, ratios;
-  const std::vector<Side> sides = sorted_sides(mesh);
-  const auto edges = unique_edges(sides);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    lengths.push_back(distance(mesh.points[edges[i][0]], mesh.points[edges[i][1]]));
-    if (!size.empty()) ratios.push_back(lengths.back() / size[i]);
+  const MeshEdges edges(mesh);
+  for (std::size_t e = 0; e < edges.count(); ++e) {
+    const auto [a, b] = edges.nodes(e);
+    lengths.push_back(distance(mesh.points[a], mesh.points[b]));
+    if (!size.empty()) ratios.push_back(lengths.back() / size[e]);
   }
   q.edge_length = statistics(lengths);
   if (!size.empty()) q.edge_to_size = statistics(ratios);
   std::vector<double> growth;
-  for_each_growth(mesh, sides, [&](std::uint32_t, std::uint32_t, double ratio) {
+  for_each_growth(mesh, edges, [&](std::uint32_t, std::uint32_t, double ratio) {
     growth.push_back(ratio);
     q.n_growth_over += ratio > kGrowthLimit;
   });
   q.growth = statistics(growth);
-  const auto irregular = irregular_nodes(mesh, sides);
+  const auto irregular = irregular_nodes(mesh, edges);
   q.n_irregular = static_cast<std::size_t>(std::count(irregular.begin(), irregular.end(), 1));
   return q;
 }

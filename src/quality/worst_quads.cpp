@@ -6,6 +6,7 @@
 
 #include "geom/element.hpp"
 #include "quadline/quality.hpp"
+#include "quality/face_corners.hpp"
 
 namespace quadline {
 
@@ -60,8 +61,7 @@ std::vector<WorstQuad> worst_quads(const Mesh& mesh, std::span<const CellCorner>
   const CornerMap map(corners);
   std::vector<WorstQuad> worst;
   for (std::size_t n = 0; n < mesh.quads.size(); ++n) {
-    const auto& q = mesh.quads[n];
-    const QuadPoints p{mesh.points[q[0]], mesh.points[q[1]], mesh.points[q[2]], mesh.points[q[3]]};
+    const QuadPoints p = quadline::corners(mesh, mesh.quads[n]);
     // Bounds only lift a value: what is no worse without them need not look for them.
     if (worst.size() == kWorst && scaled_jacobian(p) >= worst.back().value) continue;
     WorstQuad quad = worst_corner(map, p);

@@ -1,5 +1,8 @@
 #include "topo/topology.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/check.hpp"
 
 namespace quadline {
@@ -92,31 +95,26 @@ void Topology::close_triangle(FaceId f, HalfId a, HalfId b, HalfId c) {
 void Topology::build(std::size_t n_nodes, std::span<const Polygon> polygons) {
   *this = {};
   out_.assign(n_nodes, HalfId());
-  // Half-edges meet their twins in the bucket of their smaller node.
-  struct Waiting {
-    NodeId larger;
-    HalfId half;
-  };
-  IdVector<NodeId, std::vector<Waiting>> bucket(n_nodes);
+  // Half-edges that wait for the face on their other side, in a list for each node, that of their smaller end. What
+  // comes next in the list stands in the `next` of their twins, which have none yet.
+  IdVector<NodeId, HalfId> waiting(n_nodes);
   for (const Polygon& p : polygons) {
     const FaceId f = add_face(HalfId());
     HalfId before, first;
     for (int i = 0; i < p.n; ++i) {
       const NodeId a = p.nodes[i], b = p.nodes[(i + 1) % p.n];
       QUADLINE_CHECK(a != b && a.value < n_nodes && b.value < n_nodes);
-      auto& waiting = bucket[a < b ? a : b];
-      const NodeId larger = a < b ? b : a;
+      const NodeId smaller = std::min(a, b), larger = std::max(a, b);
+      HalfId* place = &waiting[smaller];
+      while (place->valid() && tail(*place) != larger && head(*place) != larger) place = &half_[twin(*place)].next;
       HalfId h;
-      for (std::size_t k = 0; k < waiting.size() && !h.valid(); ++k) {
-        if (waiting[k].larger != larger) continue;
-        h = twin(waiting[k].half);
+      if (place->valid()) {
+        h = twin(*place);
         QUADLINE_CHECK(tail(h) == a);  // else two faces lie on the same side of an edge
-        waiting[k] = waiting.back();
-        waiting.pop_back();
-      }
-      if (!h.valid()) {
+        *place = half_[h].next;
+      } else {
         h = half_of(add_edge(a, b));
-        waiting.push_back({larger, h});
+        half_[twin(h)].next = std::exchange(waiting[smaller], h);
       }
       half_[h].face = f;
       out_[a] = h;
@@ -230,26 +228,24 @@ void Topology::remove_face(FaceId f) {
 
 void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,
                               std::vector<FaceId>& made, std::vector<HalfId>& fresh) {
-  std::vector<HalfId> halves;
+  auto& [rim, open, inside, nodes] = scratch_;
+  rim.clear();     // half-edges of the cavity whose twin lies outside it; each waits for a polygon
+  open.clear();    // second sides of new edges
+  inside.clear();  // edges with both sides in the cavity
+  nodes.clear();
+  for (const FaceId f : faces) for_each_half(f, [&](HalfId h) { half_[h].face = kInCavity; });
   for (const FaceId f : faces) {
     for_each_half(f, [&](HalfId h) {
-      halves.push_back(h);
-      half_[h].face = kInCavity;
+      nodes.push_back(tail(h));
+      out_[tail(h)] = HalfId();
+      if (half_[twin(h)].face != kInCavity) {
+        rim.push_back(h);
+      } else if (h < twin(h)) {
+        inside.push_back(edge_of(h));
+      }
     });
     first_[f] = HalfId();
     free_faces_.push_back(f);
-  }
-  std::vector<HalfId> rim;     // half-edges of the cavity whose twin lies outside it; each waits for a polygon
-  std::vector<EdgeId> inside;  // edges with both sides in the cavity
-  std::vector<NodeId> nodes;
-  for (const HalfId h : halves) {
-    nodes.push_back(tail(h));
-    out_[tail(h)] = HalfId();
-    if (half_[twin(h)].face != kInCavity) {
-      rim.push_back(h);
-    } else if (h < twin(h)) {
-      inside.push_back(edge_of(h));
-    }
   }
   for (const HalfId h : rim) out_[tail(h)] = h;
   for (const EdgeId e : inside) free_edge(e);
@@ -266,7 +262,6 @@ void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
   };
   made.clear();
   fresh.clear();
-  std::vector<HalfId> open;  // second sides of new edges
   for (const Polygon& p : polygons) {
     std::array<HalfId, 4> side;
     for (int i = 0; i < p.n; ++i) {
@@ -296,12 +291,9 @@ Topology::Renumbering Topology::compact() {
   Renumbering map{IdVector<NodeId, NodeId>(node_capacity()), IdVector<EdgeId, EdgeId>(edge_capacity()),
                   IdVector<FaceId, FaceId>(face_capacity())};
   std::size_t n_nodes = 0, n_edges = 0, n_faces = 0;
-  for (std::size_t i = 0; i < node_capacity(); ++i)
-    if (is_live(NodeId(i))) map.node[NodeId(i)] = NodeId(n_nodes++);
-  for (std::size_t i = 0; i < edge_capacity(); ++i)
-    if (is_live(EdgeId(i))) map.edge[EdgeId(i)] = EdgeId(n_edges++);
-  for (std::size_t i = 0; i < face_capacity(); ++i)
-    if (is_live(FaceId(i))) map.face[FaceId(i)] = FaceId(n_faces++);
+  for (const NodeId v : nodes()) map.node[v] = NodeId(n_nodes++);
+  for (const EdgeId e : edges()) map.edge[e] = EdgeId(n_edges++);
+  for (const FaceId f : faces()) map.face[f] = FaceId(n_faces++);
 
   apply(map, n_nodes, n_edges, n_faces);
   return map;
@@ -319,8 +311,8 @@ Topology::Renumbering Topology::reorder(std::span<const FaceId> order) {
       if (!map.node[tail(h)].valid()) map.node[tail(h)] = NodeId(n_nodes++);
     });
   }
-  for (std::size_t i = 0; i < node_capacity(); ++i)  // isolated nodes
-    if (is_live(NodeId(i)) && !map.node[NodeId(i)].valid()) map.node[NodeId(i)] = NodeId(n_nodes++);
+  for (const NodeId v : nodes())  // isolated ones
+    if (!map.node[v].valid()) map.node[v] = NodeId(n_nodes++);
   QUADLINE_CHECK(n_faces == face_count() && n_edges == edge_count() && n_nodes == node_count());
   apply(map, n_nodes, n_edges, n_faces);
   return map;
@@ -331,19 +323,19 @@ void Topology::apply(const Renumbering& map, std::size_t n_nodes, std::size_t n_
   IdVector<HalfId, Half> halves(2 * n_edges);
   IdVector<NodeId, HalfId> out(n_nodes);
   IdVector<FaceId, HalfId> first(n_faces);
-  for (std::size_t i = 0; i < node_capacity(); ++i)
-    if (const NodeId to = map.node[NodeId(i)]; to.valid()) out[to] = moved(out_[NodeId(i)]);
-  for (std::size_t i = 0; i < edge_capacity(); ++i) {
-    const EdgeId to = map.edge[EdgeId(i)];
+  for (const NodeId v : nodes())
+    if (const NodeId to = map.node[v]; to.valid()) out[to] = moved(out_[v]);
+  for (const EdgeId e : edges()) {
+    const EdgeId to = map.edge[e];
     if (!to.valid()) continue;
     for (int side = 0; side < 2; ++side) {
-      const Half& h = half_[half_of(EdgeId(i), side)];
+      const Half& h = half_[half_of(e, side)];
       halves[half_of(to, side)] = {map.node[h.tail], moved(h.next), moved(h.prev),
                                    h.face.valid() ? map.face[h.face] : FaceId()};
     }
   }
-  for (std::size_t i = 0; i < face_capacity(); ++i)
-    if (const FaceId to = map.face[FaceId(i)]; to.valid()) first[to] = moved(first_[FaceId(i)]);
+  for (const FaceId f : faces())
+    if (const FaceId to = map.face[f]; to.valid()) first[to] = moved(first_[f]);
   half_ = std::move(halves);
   out_ = std::move(out);
   first_ = std::move(first);
@@ -353,20 +345,28 @@ void Topology::apply(const Renumbering& map, std::size_t n_nodes, std::size_t n_
 }
 
 const char* Topology::defect() const {
-  for (std::size_t i = 0; i < half_.count(); ++i) {
-    const HalfId h(i);
-    if (!is_live(edge_of(h))) continue;
-    const Half& a = half_[h];
-    if (!is_live(a.tail)) return "a half-edge starts at a deleted node";
-    if (tail(h) == head(h)) return "an edge joins a node to itself";
-    if (half_[a.next].prev != h || half_[a.prev].next != h) return "next and prev disagree";
-    if (tail(a.next) != head(h)) return "next does not start at the head";
-    if (half_[a.next].face != a.face) return "a face changes along its half-edges";
-    if (!a.face.valid() && !half_[twin(h)].face.valid()) return "an edge has no face";
+  const char* text = defect_of_halves();
+  if (!text) text = defect_of_faces();
+  return text ? text : defect_of_nodes();
+}
+
+const char* Topology::defect_of_halves() const {
+  for (const EdgeId e : edges()) {
+    for (const HalfId h : {half_of(e, 0), half_of(e, 1)}) {
+      const Half& a = half_[h];
+      if (!is_live(a.tail)) return "a half-edge starts at a deleted node";
+      if (tail(h) == head(h)) return "an edge joins a node to itself";
+      if (half_[a.next].prev != h || half_[a.prev].next != h) return "next and prev disagree";
+      if (tail(a.next) != head(h)) return "next does not start at the head";
+      if (half_[a.next].face != a.face) return "a face changes along its half-edges";
+      if (!a.face.valid() && !half_[twin(h)].face.valid()) return "an edge has no face";
+    }
   }
-  for (std::size_t i = 0; i < first_.count(); ++i) {
-    const FaceId f(i);
-    if (!is_live(f)) continue;
+  return nullptr;
+}
+
+const char* Topology::defect_of_faces() const {
+  for (const FaceId f : faces()) {
     const HalfId h = first_[f];
     if (half_[h].face != f) return "the first half-edge of a face is not its own";
     const HalfId third = next(next(next(h)));
@@ -376,12 +376,15 @@ const char* Topology::defect() const {
       for (int b = a + 1; b < p.n; ++b)
         if (p.nodes[a] == p.nodes[b]) return "a face meets a node twice";
   }
+  return nullptr;
+}
+
+const char* Topology::defect_of_nodes() const {
   IdVector<NodeId, std::uint32_t> outgoing(node_capacity(), 0);
-  for (std::size_t i = 0; i < half_.count(); ++i)
-    if (is_live(edge_of(HalfId(i)))) ++outgoing[tail(HalfId(i))];
-  for (std::size_t i = 0; i < out_.count(); ++i) {
-    const NodeId v(i);
-    if (!is_live(v) || out_[v] == HalfId()) continue;
+  for (const EdgeId e : edges())
+    for (const HalfId h : {half_of(e, 0), half_of(e, 1)}) ++outgoing[tail(h)];
+  for (const NodeId v : nodes()) {
+    if (out_[v] == HalfId()) continue;
     if (!is_live(edge_of(out_[v])) || tail(out_[v]) != v) return "the outgoing half-edge of a node is not its own";
     std::uint32_t n = 0;
     for_each_out(v, [&](HalfId) { ++n; });

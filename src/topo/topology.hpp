@@ -29,10 +29,45 @@ struct Polygon {
 /// Connectivity of a plane mesh of triangles and quads, as half-edges; no coordinates.
 ///
 /// A half-edge runs from `tail` to `head` with its face on the left; an invalid face is the outside, whose half-edges
-/// are linked as well. Slots of deleted elements are re-used: iterate with `is_live`, and `compact` at the end of a
-/// stage.
+/// are linked as well. Slots of deleted elements are re-used: iterate over `nodes()`, `edges()` and `faces()`, which
+/// skip them, and `compact` at the end of a stage.
 class Topology {
  public:
+  /// The live elements of a kind in the order of their ids, for range-based loops. Elements may be removed on the way;
+  /// slots that are added on the way are not met.
+  template <class IdType>
+  class Live {
+   public:
+    class Iterator {
+     public:
+      Iterator(const Topology& topo, IdType at, IdType end) : topo_(topo), at_(at), end_(end) { skip_deleted(); }
+      IdType operator*() const { return at_; }
+      Iterator& operator++() {
+        ++at_.value;
+        skip_deleted();
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+
+     private:
+      void skip_deleted() {
+        while (at_ != end_ && !topo_.is_live(at_)) ++at_.value;
+      }
+      const Topology& topo_;
+      IdType at_, end_;
+    };
+    Live(const Topology& topo, std::size_t capacity) : topo_(topo), end_(capacity) {}
+    Iterator begin() const { return {topo_, IdType(0), end_}; }
+    Iterator end() const { return {topo_, end_, end_}; }
+
+   private:
+    const Topology& topo_;
+    IdType end_;
+  };
+  Live<NodeId> nodes() const { return {*this, node_capacity()}; }
+  Live<EdgeId> edges() const { return {*this, edge_capacity()}; }
+  Live<FaceId> faces() const { return {*this, face_capacity()}; }
+
   // Size: live elements, and slots (live or not)
   std::size_t node_count() const { return out_.count() - free_nodes_.size(); }
   std::size_t edge_count() const { return half_.count() / 2 - free_edges_.size(); }
@@ -151,6 +186,9 @@ class Topology {
   }
   void close_triangle(FaceId f, HalfId a, HalfId b, HalfId c);
   void unlink_edge(EdgeId e);
+  const char* defect_of_halves() const;
+  const char* defect_of_faces() const;
+  const char* defect_of_nodes() const;
 
   IdVector<HalfId, Half> half_;
   IdVector<NodeId, HalfId> out_;
@@ -158,6 +196,11 @@ class Topology {
   std::vector<NodeId> free_nodes_;
   std::vector<EdgeId> free_edges_;
   std::vector<FaceId> free_faces_;
+  struct {
+    std::vector<HalfId> rim, open;
+    std::vector<EdgeId> inside;
+    std::vector<NodeId> nodes;
+  } scratch_;  // of replace_cavity, which is called too often to allocate
 };
 
 }  // namespace quadline

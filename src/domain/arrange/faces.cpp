@@ -4,9 +4,9 @@
 // from the component's lowest point tells on which face of the others it lies; the lowest component comes first, so
 // that the face below is always known.
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
+#include "base/constants.hpp"
 #include "domain/arrange/work.hpp"
 
 namespace quadline::arrangement {
@@ -15,10 +15,10 @@ namespace {
 
 struct Component {
   std::size_t n_vertices = 0, n_pieces = 0, n_walks = 0;
-  double least_area = std::numeric_limits<double>::infinity();
+  double least_area = kInfinity;
   std::uint32_t outward = 0;  ///< the walk that sees it from outside
   Point lowest;
-  double depth = -std::numeric_limits<double>::infinity();
+  double depth = -kInfinity;
   Half below = kNoHalf;
 };
 
@@ -108,7 +108,7 @@ class Subdivider {
   }
 
   void find_lowest(Point down) {
-    for (Component& c : components_) c.depth = -std::numeric_limits<double>::infinity();
+    for (Component& c : components_) c.depth = -kInfinity;
     for (std::size_t i = 0; i < work_.pieces.count(); ++i) {
       const CurvePiece& curve = work_.pieces[CurveId(i)].curve;
       Component& c = components_[out_.component_of[i]];

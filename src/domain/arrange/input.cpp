@@ -1,16 +1,14 @@
 // First step of `arrange`: checks the model and lays out its paths as vertices and pieces.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "domain/arrange/unique_names.hpp"
 #include "domain/arrange/work.hpp"
 
 namespace quadline::arrangement {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Fourth powers of lengths have to stay finite and normal.
 constexpr double kLargest = 1e60;

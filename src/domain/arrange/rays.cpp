@@ -2,15 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.hpp"
 #include "domain/arrange/work.hpp"
 
 namespace quadline::arrangement {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<Box> boxes_of(const Work& work) {
   std::vector<Box> boxes;

@@ -1,10 +1,10 @@
 // Last step of `arrange`: what lies inside, with names and sizes.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 
+#include "base/constants.hpp"
 #include "domain/arrange/unique_names.hpp"
 #include "domain/arrange/work.hpp"
 
@@ -12,7 +12,6 @@ namespace quadline::arrangement {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kOffCircle = 1.0 / 16;  // in tolerances
 constexpr double kNearlyClosed = 0.25;   // gap between the ends of an arc, in radii
 

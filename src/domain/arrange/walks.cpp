@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/csr.hpp"
 #include "domain/arrange/work.hpp"
 #include "geom/predicates.hpp"
 
@@ -78,20 +79,15 @@ void sort_counter_clockwise(std::vector<Spoke>& spokes) {
 
 std::vector<Half> next_halves(const Work& work) {
   const std::size_t n_halves = 2 * work.pieces.count();
-  // Half-edges by their first vertex, in compressed rows.
-  std::vector<std::uint32_t> first(work.vertices.count() + 1, 0);
-  for (Half h = 0; h < n_halves; ++h) ++first[tail_of(work, h).value + 1];
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<Half> leaving(n_halves);
-  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-  for (Half h = 0; h < n_halves; ++h) leaving[fill[tail_of(work, h).value]++] = h;
-
+  const Rows<Half> leaving(work.vertices.count(), [&](const auto& visit) {
+    for (Half h = 0; h < n_halves; ++h) visit(tail_of(work, h).value, h);
+  });
   std::vector<Half> next(n_halves);
   std::vector<Spoke> spokes;
   for (std::size_t v = 0; v < work.vertices.count(); ++v) {
     spokes.clear();
-    for (std::uint32_t i = first[v]; i < first[v + 1]; ++i) {
-      Spoke spoke{.half = leaving[i], .curve = directed(work, leaving[i])};
+    for (const Half h : leaving[v]) {
+      Spoke spoke{.half = h, .curve = directed(work, h)};
       spoke.tangent = tangent_at(spoke.curve, 0);
       spoke.angle = pseudo_angle(spoke.tangent);
       spokes.push_back(spoke);

@@ -41,13 +41,13 @@ bool CavityFinder::collect(std::span<const FaceId> faces, Cavity& cavity) {
   std::size_t n_rim = 0;
   bool is_cut = false;
   for (const FaceId f : faces) {
-    is_cut |= mesh_.is_frozen(f);
+    is_cut |= mesh_.can_replace(f) != Refusal::None;
     topo.for_each_half(f, [&](HalfId h) {
       if (!is_inside(twin(h))) {
         ++n_rim;
         start = h;
-      } else if (mesh_.is_constraint(h)) {
-        is_cut = true;
+      } else {
+        is_cut |= mesh_.can_cross(h) != Refusal::None;
       }
     });
   }

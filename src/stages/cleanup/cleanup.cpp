@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/step_limit.hpp"
+#include "quality/limits.hpp"
 #include "stages/cleanup/grow_patch.hpp"
 #include "stages/cleanup/shapes.hpp"
 #include "stages/cleanup/trial.hpp"
@@ -18,18 +19,20 @@ namespace quadline {
 namespace cleanup {
 namespace {
 
-constexpr int kRounds = 2;
-constexpr std::size_t kStepsPerNode = 100;  // of the work list, at most
-constexpr int kFirstSweeps = 3;             // of smoothing, before anything is judged
-constexpr int kTrialSweeps = 7;
+constexpr int kRounds = 2;                      // the first moves many nodes; a third gains hardly anything
+constexpr std::size_t kStepsPerNode = 100;      // of the work list: a guard, as every edit lowers the measure
+constexpr int kFirstSweeps = 3;                 // of smoothing, before anything is judged
+constexpr int kTrialSweeps = 7;                 // of a trial in all; smoothing comes after
 constexpr int kFirstLook = 1, kSecondLook = 3;  // sweeps after which hopeless trials are given up
-constexpr std::size_t kTries = 6;               // replacements tried per cavity
-constexpr std::size_t kTriesBroken = 8;         // where something must be mended
+constexpr std::size_t kTries = 6;               // cheapest replacements of a cavity that are tried
+constexpr std::size_t kTriesBroken = 8;         // the same where something must be mended, and the best is taken
+constexpr std::size_t kStepsPerReport = 256;    // of the work list
 
-// What an edit may lose.
+// What an edit may lose, as smoothing will make good a part of it.
 constexpr double kFloor = 0.4;  // the least scaled Jacobian may fall by kMayLose, but not below this
 constexpr double kMayLose = 0.2;
-constexpr double kBetaMayLose = 0.08;  // of the mean beta of the cavity and the quads round it
+constexpr double kBetaMayLose = 0.08;  // of the mean beta round the cavity: 0.05 leaves more nodes irregular, 0.12
+                                       // shears regions
 constexpr double kSizeSpread = 0.15;   // see PatchQuality; never refused below it
 
 // How far off its limits a trial may be at a look: of those that are farther off no more than one in a hundred
@@ -44,9 +47,9 @@ constexpr Slacks kSmallSlacks{{0.12, 0.32, 1.8}, {0.04, 0.15, 0.75}};
 constexpr Slacks kPatchSlacks{{0.02, 0.08, 1.5}, {0.01, 0.03, 0.75}};
 
 // What it is worth beside a valence, to choose among edits.
-constexpr double kJacobianWorth = 20;  // of the least scaled Jacobian, where something must be mended
-constexpr double kGoodJacobian = 0.5;
-constexpr double kBetaWorth = 0.5;  // of the sum of beta
+constexpr double kJacobianWorth = 20;    // of the least scaled Jacobian, where something must be mended,
+constexpr double kEnoughJacobian = 0.5;  // up to here: beyond it valences decide
+constexpr double kBetaWorth = 0.5;       // of the sum of beta
 
 bool is_within(const PatchQuality& then, const PatchQuality& now, const Slack& slack) {
   return then.mean_beta >= now.mean_beta - kBetaMayLose - slack.beta &&
@@ -62,7 +65,7 @@ class CleanUp {
  private:
   void work_off(Context& context, int round);
   void smooth_all();
-  bool is_broken(FaceId f) const { return scaled_jacobian(mesh_.quad_points(f)) < kFlatQuad; }
+  bool is_broken(FaceId f) const { return scaled_jacobian(mesh_.quad_points(f)) < kBrokenJacobian; }
   int cost(NodeId v) const;
   void push(NodeId v) {
     if (const int c = cost(v); c > 0) work_.push(v, WorkList::Local, c);
@@ -108,17 +111,14 @@ CleanUp::CleanUp(WorkMesh& mesh, const SizeField& field, const TemplateTable& ta
       grower_(mesh, sectors_, size_),
       trial_(mesh, size_),
       table_(table) {
-  const Topology& topo = mesh.topo();
-  size_.grow(topo.node_capacity());
-  for (std::size_t i = 0; i < topo.node_capacity(); ++i)
-    if (topo.is_live(NodeId(i))) size_[NodeId(i)] = field.at(mesh.point(NodeId(i)));
+  size_.grow(mesh.topo().node_capacity());
+  for (const NodeId v : mesh.topo().nodes()) size_[v] = field.at(mesh.point(v));
 }
 
 void CleanUp::run(Context& context) {
   for (int round = 0; round < kRounds; ++round) {
     for (int sweep = 0; sweep < kFirstSweeps; ++sweep) smooth_all();
-    for (std::size_t i = 0; i < mesh_.topo().node_capacity(); ++i)
-      if (mesh_.topo().is_live(NodeId(i))) push(NodeId(i));
+    for (const NodeId v : mesh_.topo().nodes()) push(v);
     n_edits_ = 0;
     work_off(context, round);
     if (n_edits_ == 0) break;
@@ -132,7 +132,7 @@ void CleanUp::work_off(Context& context, int round) {
   StepLimit limit("clean-up", kStepsPerNode * mesh_.topo().node_count());
   while (work_.pop(entry)) {
     limit.step();
-    if (limit.steps() % 256 == 1) {
+    if (limit.steps() % kStepsPerReport == 1) {
       const double done = 1 - std::min(1.0, static_cast<double>(work_.count()) / n_start);
       context.progress("clean-up", (round + done) / kRounds);
     }
@@ -149,9 +149,8 @@ void CleanUp::work_off(Context& context, int round) {
 void CleanUp::smooth_all() {
   const Topology& topo = mesh_.topo();
   std::vector<StarQuad> star;
-  for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-    const NodeId v(i);
-    if (!topo.is_live(v) || !mesh_.is_free(v)) continue;
+  for (const NodeId v : topo.nodes()) {
+    if (!mesh_.is_free(v)) continue;
     star.clear();
     topo.for_each_out(v, [&](HalfId h) {
       const NodeId opposite = topo.head(topo.next(h)), previous = topo.tail(topo.prev(h));
@@ -250,7 +249,7 @@ std::optional<double> CleanUp::gain_of_trial(const Cavity& cavity, const Slacks&
   const PatchQuality then = trial_.quality();
   const int fall = fall_to(then);
   if (fall <= 0) return std::nullopt;
-  if (fall >= kBroken / 2) return fall + kJacobianWorth * std::min(then.least_jacobian, kGoodJacobian);
+  if (fall >= kBroken / 2) return fall + kJacobianWorth * std::min(then.least_jacobian, kEnoughJacobian);
   if (then.least_jacobian < std::min(now.least_jacobian, std::max(kFloor, now.least_jacobian - kMayLose)) ||
       !is_within(then, now, {}))
     return std::nullopt;

@@ -22,6 +22,7 @@ struct Outline {
   std::uint16_t node(std::size_t p) const { return nodes[p % nodes.size()]; }
   Chain part(std::size_t from, std::size_t to) const {
     Chain chain;
+    chain.reserve(to - from + 1);
     for (std::size_t p = from; p <= to; ++p) chain.push_back(node(p));
     return chain;
   }
@@ -41,7 +42,9 @@ class Filler {
     return static_cast<std::uint16_t>(rim_.size() + static_cast<std::size_t>(filling_.n_inner++));
   }
   Chain add_chain(std::uint16_t from, std::uint16_t to, int length) {
-    Chain chain{from};
+    Chain chain;
+    chain.reserve(static_cast<std::size_t>(length) + 1);
+    chain.push_back(from);
     for (int i = 1; i < length; ++i) chain.push_back(add_node());
     chain.push_back(to);
     return chain;

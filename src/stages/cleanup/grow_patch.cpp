@@ -16,8 +16,6 @@ int wanted_inside(const Cavity::RimNode& r) { return r.ideal.ideal - r.outside; 
 
 }  // namespace
 
-bool PatchGrower::can_cross(HalfId h) const { return !mesh_.is_constraint(h) && mesh_.topo().face(twin(h)).valid(); }
-
 void PatchGrower::add_face(FaceId f) {
   mark_of_.grow(mesh_.topo().face_capacity(), 0);
   if (mark_of_[f] == mark_) return;
@@ -84,7 +82,7 @@ void PatchGrower::describe_rim() {
 bool PatchGrower::add_row(std::size_t from, std::size_t to) {
   const Topology& topo = mesh_.topo();
   for (std::size_t p = from; p < to; ++p)
-    if (!can_cross(cavity_.rim[p % cavity_.rim.size()].half)) return false;
+    if (mesh_.can_cross(cavity_.rim[p % cavity_.rim.size()].half) != Refusal::None) return false;
   for (std::size_t p = from; p < to; ++p) add_face(topo.face(twin(cavity_.rim[p % cavity_.rim.size()].half)));
   return true;
 }
@@ -93,31 +91,27 @@ bool PatchGrower::add_row(std::size_t from, std::size_t to) {
 bool PatchGrower::grow() {
   if (++n_rows_ > kMostRows) return false;
   const std::size_t n = rim_.size();
-  std::vector<std::size_t> corners;
+  corners_.clear();
   for (std::size_t i = 0; i < n; ++i)
-    if (rim_[i].is_corner) corners.push_back(i);
-  if (corners.size() < 2) return false;
-  struct Side {
-    double distance;
-    std::size_t from, to;
-  };
-  std::vector<Side> sides;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::size_t from = corners[i], to = i + 1 < corners.size() ? corners[i + 1] : corners[0] + n;
+    if (rim_[i].is_corner) corners_.push_back(i);
+  if (corners_.size() < 2) return false;
+  sides_.clear();
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const std::size_t from = corners_[i], to = i + 1 < corners_.size() ? corners_[i + 1] : corners_[0] + n;
     const Point middle = midpoint(rim_[((from + to) / 2) % n].at, rim_[((from + to + 1) / 2) % n].at);
-    sides.push_back({distance(middle, center_), from, to});
+    sides_.push_back({distance(middle, center_), from, to});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
     return a.distance != b.distance ? a.distance < b.distance : a.from < b.from;
   });
-  const std::vector<FaceId> kept = faces_;
-  for (const Side& side : sides) {
+  kept_ = faces_;
+  for (const Side& side : sides_) {
     if (!add_row(side.from, side.to)) continue;
     if (make_convex()) return true;
     // Not that way: back to the patch as it was.
     for (const FaceId f : faces_) mark_of_[f] = 0;
     faces_.clear();
-    for (const FaceId f : kept) add_face(f);
+    for (const FaceId f : kept_) add_face(f);
     if (!finder_.collect(faces_, cavity_)) return false;
     describe_rim();
   }

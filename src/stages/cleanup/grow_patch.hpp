@@ -29,7 +29,6 @@ class PatchGrower {
   void add_face(FaceId f);
   void add_star(NodeId v, HalfId in_sector);
   bool add_row(std::size_t from, std::size_t to);
-  bool can_cross(HalfId h) const;
   void describe_rim();
 
   const WorkMesh& mesh_;
@@ -42,6 +41,14 @@ class PatchGrower {
   Cavity cavity_;
   std::vector<PatchNode> rim_;
   int n_rows_ = 0, n_corners_ = 0, rim_cost_ = 0;
+  // Of `grow`, which is called too often to allocate
+  struct Side {
+    double distance;  // of its middle from the start
+    std::size_t from, to;
+  };
+  std::vector<std::size_t> corners_;
+  std::vector<Side> sides_;
+  std::vector<FaceId> kept_;
 };
 
 }  // namespace quadline::cleanup

@@ -42,10 +42,8 @@ int valence_cost(const IdealValence& ideal, int quads) {
 }
 
 Sectors::Sectors(const WorkMesh& mesh) : mesh_(mesh), ideal_(2 * mesh.topo().edge_capacity()) {
-  const Topology& topo = mesh.topo();
-  for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-    const NodeId v(i);
-    if (!topo.is_live(v) || mesh.is_free(v)) continue;
+  for (const NodeId v : mesh.topo().nodes()) {
+    if (mesh.is_free(v)) continue;
     mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) { ideal_[first] = ideal_valence(angle); });
   }
 }

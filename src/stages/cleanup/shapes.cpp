@@ -8,7 +8,7 @@ namespace quadline::cleanup {
 
 namespace {
 
-bool can_cross(const WorkMesh& mesh, HalfId h) { return !mesh.is_constraint(h) && mesh.topo().face(twin(h)).valid(); }
+bool can_cross(const WorkMesh& mesh, HalfId h) { return mesh.can_cross(h) == Refusal::None; }
 
 // The two quads beside each edge of the node: edge rotation, and three or four quads in the place of two.
 void spokes(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
@@ -53,43 +53,34 @@ void fans(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
       sets.add(topo.face(h));
       if (n < 3 && n < valence) continue;
       if (n == valence && first != topo.out(v)) break;  // the whole star once
-      const std::vector<FaceId> run(sets.current().begin(), sets.current().end());
-      sets.end();
-      sets.begin();
-      for (const FaceId f : run) sets.add(f);
+      sets.end_and_repeat();
     }
     sets.drop();
   });
 }
 
-// The stars of the node and of one neighbour together: pairs of irregular nodes, diamonds.
-void edge_stars(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
-  const Topology& topo = mesh.topo();
-  topo.for_each_out(v, [&](HalfId h) {
-    const NodeId u = topo.head(h);
-    if (!mesh.is_free(v) && !mesh.is_free(u)) return;
-    sets.begin();
-    for (const NodeId w : {v, u}) {
-      if (!mesh.is_free(w)) continue;
-      topo.for_each_out(w, [&](HalfId spoke) { sets.add(topo.face(spoke)); });
-    }
-    sets.end();
-  });
+// The stars of two nodes together, of those that are free.
+void stars(const WorkMesh& mesh, NodeId v, NodeId u, FaceSets& sets) {
+  if (!mesh.is_free(v) && !mesh.is_free(u)) return;
+  sets.begin();
+  for (const NodeId w : {v, u}) {
+    if (!mesh.is_free(w)) continue;
+    mesh.topo().for_each_out(w, [&](HalfId spoke) { sets.add(mesh.topo().face(spoke)); });
+  }
+  sets.end();
 }
 
-// The star of the node and of the node across a quad: pairs along a diagonal.
+// The stars of the node and of one neighbour: pairs of irregular nodes, diamonds.
+void edge_stars(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
+  const Topology& topo = mesh.topo();
+  topo.for_each_out(v, [&](HalfId h) { stars(mesh, v, topo.head(h), sets); });
+}
+
+// The stars of the node and of the node across a quad: pairs along a diagonal.
 void diagonal_stars(const WorkMesh& mesh, NodeId v, FaceSets& sets) {
   const Topology& topo = mesh.topo();
   topo.for_each_out(v, [&](HalfId h) {
-    if (!topo.face(h).valid()) return;
-    const NodeId u = topo.tail(topo.next(topo.next(h)));
-    if (!mesh.is_free(v) && !mesh.is_free(u)) return;
-    sets.begin();
-    for (const NodeId w : {v, u}) {
-      if (!mesh.is_free(w)) continue;
-      topo.for_each_out(w, [&](HalfId spoke) { sets.add(topo.face(spoke)); });
-    }
-    sets.end();
+    if (topo.face(h).valid()) stars(mesh, v, topo.tail(topo.next(topo.next(h))), sets);
   });
 }
 
@@ -141,6 +132,14 @@ constexpr Shape kShapes[] = {
 void FaceSets::add(FaceId f) {
   const auto set = current();
   if (std::find(set.begin(), set.end(), f) == set.end()) faces_.push_back(f);
+}
+
+void FaceSets::end_and_repeat() {
+  const std::size_t n = current().size();
+  end();
+  begin();
+  faces_.resize(start_ + n);
+  std::copy_n(faces_.data() + start_ - n, n, faces_.data() + start_);
 }
 
 std::span<const Shape> shapes() { return kShapes; }

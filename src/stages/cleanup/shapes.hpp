@@ -17,6 +17,7 @@ class FaceSets {
   void begin() { start_ = faces_.size(); }
   void add(FaceId f);  ///< to the set begun last, unless it holds f
   void end() { ends_.push_back(faces_.size()); }
+  void end_and_repeat();                  ///< ends the set, and begins the next with the same faces
   void drop() { faces_.resize(start_); }  ///< what was begun and not ended
   std::size_t count() const { return ends_.size(); }
   std::span<const FaceId> operator[](std::size_t i) const {

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.hpp"
 
 namespace quadline::cleanup {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 0.02;       // corner area, relative to the squares of the sides, below which e > 0
 constexpr double kSoftening = 0.1;   // e, in the same unit
 constexpr double kSmallStep = 1e-8;  // squared, in the same unit: not worth while

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geom/element.hpp"
+#include "quality/limits.hpp"
 
 namespace quadline::cleanup {
 
@@ -20,7 +21,7 @@ class Measure {
   void add(const QuadPoints& q, const std::array<double, 4>& size) {
     const double jacobian = scaled_jacobian(q);
     quality_.least_jacobian = std::min(quality_.least_jacobian, jacobian);
-    if (jacobian < kFlatQuad) ++quality_.n_broken;
+    if (jacobian < kBrokenJacobian) ++quality_.n_broken;
     sum_ += jacobian > 0 ? quad_distortion(q) : jacobian;
     ++n_;
     for (int i = 0; i < 4; ++i) {
@@ -49,17 +50,17 @@ class Measure {
 }  // namespace
 
 std::uint32_t Trial::local(NodeId v) {
-  slot_.grow(mesh_.topo().node_capacity());
-  Slot& slot = slot_[v];
-  if (slot.mark != mark_) {
-    slot = {mark_, static_cast<std::uint32_t>(nodes_.size())};
+  Slot& at = slot_[v];
+  if (at.mark != mark_) {
+    at = {mark_, static_cast<std::uint32_t>(nodes_.size())};
     nodes_.push_back({v, mesh_.point(v), size_[v], false});
   }
-  return slot.index;
+  return at.index;
 }
 
 bool Trial::build(const Cavity& cavity, const Replacement& replacement) {
   ++mark_;
+  slot_.grow(mesh_.topo().node_capacity());
   cavity_ = &cavity;
   nodes_.clear();
   quads_.clear();
@@ -74,11 +75,8 @@ bool Trial::build(const Cavity& cavity, const Replacement& replacement) {
   }
   const double each = 1.0 / n_rim_;
   for (const NodeId v : replacement.inner) {
-    if (v.valid())
-      local(v);
-    else
-      nodes_.push_back({v, {}, 0, false});
-    nodes_.back() = {v, each * sum, each * size, true};
+    if (v.valid()) slot_[v] = {mark_, static_cast<std::uint32_t>(nodes_.size())};
+    nodes_.push_back({v, each * sum, each * size, true});
   }
   n_own_ = static_cast<std::uint32_t>(nodes_.size());
   for (const auto& q : replacement.quads) quads_.push_back({q[0], q[1], q[2], q[3]});
@@ -130,16 +128,11 @@ void Trial::add_ring() {
 
 // The quads round each node that may move, one after the other.
 void Trial::make_stars() {
-  star_begin_.assign(nodes_.size() + 1, 0);
-  for (const Quad& q : quads_)
-    for (const std::uint32_t v : q)
-      if (nodes_[v].may_move) ++star_begin_[v + 1];
-  for (std::size_t i = 1; i < star_begin_.size(); ++i) star_begin_[i] += star_begin_[i - 1];
-  star_.resize(star_begin_.back());
-  std::vector<std::uint32_t> fill(star_begin_.begin(), star_begin_.end() - 1);
-  for (const Quad& q : quads_)
-    for (int k = 0; k < 4; ++k)
-      if (nodes_[q[k]].may_move) star_[fill[q[k]]++] = {q[(k + 1) % 4], q[(k + 2) % 4], q[(k + 3) % 4]};
+  stars_.fill(nodes_.size(), [&](const auto& visit) {
+    for (const Quad& q : quads_)
+      for (int k = 0; k < 4; ++k)
+        if (nodes_[q[k]].may_move) visit(q[k], StarEntry{q[(k + 1) % 4], q[(k + 2) % 4], q[(k + 3) % 4]});
+  });
 }
 
 void Trial::place_inner_nodes() {
@@ -150,9 +143,8 @@ void Trial::place_inner_nodes() {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::uint32_t v = n_rim_; v < n_own_; ++v) {
       Point sum;
-      for (std::uint32_t i = star_begin_[v]; i < star_begin_[v + 1]; ++i)
-        sum += nodes_[star_[i].next].at + nodes_[star_[i].previous].at;
-      const Point mean = (0.5 / (star_begin_[v + 1] - star_begin_[v])) * sum;
+      for (const StarEntry& quad : stars_[v]) sum += nodes_[quad.next].at + nodes_[quad.previous].at;
+      const Point mean = (0.5 / static_cast<double>(stars_[v].size())) * sum;
       nodes_[v].at += relax * (mean - nodes_[v].at);
     }
   }
@@ -162,8 +154,8 @@ void Trial::smooth(int sweeps) {
   const auto step = [&](std::uint32_t v) {
     if (!nodes_[v].may_move) return;
     star_quads_.clear();
-    for (std::uint32_t i = star_begin_[v]; i < star_begin_[v + 1]; ++i)
-      star_quads_.push_back({nodes_[star_[i].next].at, nodes_[star_[i].opposite].at, nodes_[star_[i].previous].at});
+    for (const StarEntry& quad : stars_[v])
+      star_quads_.push_back({nodes_[quad.next].at, nodes_[quad.opposite].at, nodes_[quad.previous].at});
     nodes_[v].at = better_place(nodes_[v].at, star_quads_, nodes_[v].size);
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -200,13 +192,12 @@ void Trial::commit(WorkMesh& mesh, IdVector<NodeId, double>& size, std::vector<N
     if (!node.id.valid()) node.id = mesh.add_node(node.at);
     nodes.push_back(node.id);
   }
-  std::vector<Polygon> polygons;
+  polygons_.clear();
   for (std::size_t i = 0; i < n_own_quads_; ++i) {
     const Quad& q = quads_[i];
-    polygons.emplace_back(nodes[q[0]], nodes[q[1]], nodes[q[2]], nodes[q[3]]);
+    polygons_.emplace_back(nodes[q[0]], nodes[q[1]], nodes[q[2]], nodes[q[3]]);
   }
-  std::vector<FaceId> made;
-  mesh.replace_cavity(cavity_->faces, polygons, made);
+  mesh.replace_cavity(cavity_->faces, polygons_, made_);
   size.grow(mesh.topo().node_capacity());
   for (std::uint32_t i = 0; i < n_own_; ++i) {
     if (nodes_[i].may_move) mesh.move(nodes[i], nodes_[i].at);

@@ -3,13 +3,11 @@
 #include <span>
 #include <vector>
 
+#include "base/csr.hpp"
 #include "stages/cleanup/cavity.hpp"
 #include "stages/cleanup/star.hpp"
 
 namespace quadline::cleanup {
-
-/// Scaled Jacobian below which a quad counts as broken.
-constexpr double kFlatQuad = 0.02;
 
 /// How good some quads are.
 struct PatchQuality {
@@ -60,11 +58,10 @@ class Trial {
   std::vector<Node> nodes_;
   std::vector<Quad> quads_;  // the replacement, then the ring
   std::vector<FaceId> ring_;
-  std::vector<std::uint32_t> star_begin_;
   struct StarEntry {
     std::uint32_t next, opposite, previous;
   };
-  std::vector<StarEntry> star_;
+  Rows<StarEntry> stars_;  // of nodes_
   std::vector<StarQuad> star_quads_;
   struct Slot {
     std::uint32_t mark = 0, index = 0;
@@ -72,6 +69,8 @@ class Trial {
   IdVector<NodeId, Slot> slot_;
   IdVector<FaceId, std::uint32_t> face_mark_;
   std::uint32_t mark_ = 0;
+  std::vector<Polygon> polygons_;  // of a commit
+  std::vector<FaceId> made_;
 };
 
 }  // namespace quadline::cleanup

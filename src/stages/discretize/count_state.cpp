@@ -46,8 +46,7 @@ std::int64_t CountState::gap(std::uint32_t submap, const std::array<std::int64_t
 void CountState::apply(const std::vector<Change>& changes, bool forward) {
   for (const Change& change : changes) {
     const std::int64_t step = static_cast<std::int64_t>(change.count) - counts_[change.curve];
-    for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
-      sums_[p->submap][p->side] += forward ? step : -step;
+    for (const Part& p : parts(change.curve)) sums_[p.submap][p.side] += forward ? step : -step;
   }
 }
 
@@ -58,8 +57,7 @@ bool CountState::try_changes(const std::vector<Change>& changes) {
   for (const Change& change : changes) {
     const CountTarget& target = targets_[change.curve];
     cost += count_cost(target, change.count) - count_cost(target, counts_[change.curve]);
-    for (auto p = parts_.begin(change.curve.value); p != parts_.end(change.curve.value); ++p)
-      touched_.push_back(p->submap);
+    for (const Part& p : parts(change.curve)) touched_.push_back(p.submap);
   }
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());

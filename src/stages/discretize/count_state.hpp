@@ -2,35 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/csr.hpp"
 #include "domain/domain.hpp"
 #include "stages/discretize/count_target.hpp"
 #include "stages/discretize/submappable_faces.hpp"
 
 namespace quadline {
-
-/// Rows of varying length in one array.
-template <class T>
-class Rows {
- public:
-  /// Calls `each(visit)` twice, to count and to fill; it calls `visit(row, item)`.
-  template <class Each>
-  void fill(std::size_t n, const Each& each) {
-    start_.assign(n + 1, 0);
-    each([&](std::size_t row, const T&) { ++start_[row + 1]; });
-    for (std::size_t i = 0; i < n; ++i) start_[i + 1] += start_[i];
-    items_.resize(start_[n]);
-    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    each([&](std::size_t row, const T& item) { items_[next[row]++] = item; });
-  }
-  const T* begin(std::size_t row) const { return items_.data() + start_[row]; }
-  const T* end(std::size_t row) const { return items_.data() + start_[row + 1]; }
-
- private:
-  std::vector<std::uint32_t> start_;
-  std::vector<T> items_;
-};
 
 /// The counts of all curves while they are being chosen, and what they cost: how far they are from the targets, and how
 /// far opposite sides of submappable faces are from each other.
@@ -53,8 +33,9 @@ class CountState {
   std::uint32_t count(CurveId c) const { return counts_[c]; }
   const CountTarget& target(CurveId c) const { return targets_[c]; }
   const std::vector<SubmappableFace>& submaps() const { return submaps_; }
-  const Rows<Part>& parts() const { return parts_; }
-  bool is_on_submap(CurveId c) const { return parts_.begin(c.value) != parts_.end(c.value); }
+  /// What the curve is a part of.
+  std::span<const Part> parts(CurveId c) const { return parts_[c.value]; }
+  bool is_on_submap(CurveId c) const { return !parts_[c.value].empty(); }
 
   /// Edges on a side of a submappable face.
   std::int64_t sum(std::uint32_t submap, std::uint32_t side) const { return sums_[submap][side]; }

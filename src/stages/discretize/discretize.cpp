@@ -56,10 +56,10 @@ class Discretizer {
       NodeId last(domain_.curves[c].tail.value);
       for (std::size_t k = 0; k < places_[c].size(); ++k) {
         const NodeId v = mesh.add_node(lines_[c][k + 1], {NodeKind::OnCurve, c, places_[c][k], VertexId()});
-        mesh.segments.push_back({last, v, c});
+        mesh.add_segment({last, v, c});
         last = v;
       }
-      mesh.segments.push_back({last, NodeId(domain_.curves[c].head.value), c});
+      mesh.add_segment({last, NodeId(domain_.curves[c].head.value), c});
     }
     return mesh;
   }

@@ -1,12 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "stages/discretize/count_state.hpp"
 
 // Interval assignment [Mitchell1997] by cheapest cycles: a closed path across the faces crosses every face boundary an
@@ -17,7 +18,6 @@
 namespace quadline {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr int kBudget = 2000;  // curves looked at per path
 constexpr int kMaxPasses = 4;
 
@@ -47,8 +47,6 @@ class IntervalBalancing {
   }
 
  private:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
-
   /// A way into a face: across a curve, which gets one edge more or less.
   struct Arrival {
     std::uint32_t face = kNone;
@@ -70,48 +68,49 @@ class IntervalBalancing {
         for (const DirectedCurve& d : walk) face_[side(d.curve, d.reversed)] = n;
         ++n;
       }
-    IdVector<VertexId, std::vector<std::size_t>> outside(domain_.vertices.count());
-    for (std::size_t i = 0; i < domain_.curves.count(); ++i)
-      for (bool is_right : {false, true}) {
-        if (face_[side(CurveId(i), is_right)] != kNone) continue;
-        for (VertexId v : {domain_.curves[CurveId(i)].tail, domain_.curves[CurveId(i)].head})
-          outside[v].push_back(side(CurveId(i), is_right));
-      }
-    for (std::size_t s = 0; s < face_.size(); ++s) {
-      if (face_[s] != kNone) continue;
-      std::vector<std::size_t> pending{s};
-      for (face_[s] = n; !pending.empty();) {
-        const Domain::Curve& c = domain_.curves[CurveId(pending.back() / 2)];
-        pending.pop_back();
-        for (VertexId v : {c.tail, c.head}) {
-          if (outside[v].size() != 2) continue;
-          for (std::size_t other : outside[v])
-            if (std::exchange(face_[other], n) != n) pending.push_back(other);
-        }
-      }
-      ++n;
-    }
+    const Rows<std::uint32_t> outside(domain_.vertices.count(), [&](const auto& visit) {
+      for (std::uint32_t s = 0; s < face_.size(); ++s)
+        if (face_[s] == kNone)
+          for (VertexId v : ends(s)) visit(v.value, s);
+    });
+    for (std::uint32_t s = 0; s < face_.size(); ++s)
+      if (face_[s] == kNone) number_outside(s, n++, outside);
     sides_of_.fill(n, [&](const auto& visit) {
       for (std::uint32_t s = 0; s < face_.size(); ++s) visit(face_[s], s);
     });
   }
+  std::array<VertexId, 2> ends(std::uint32_t side) const {
+    const Domain::Curve& c = domain_.curves[CurveId(side / 2)];
+    return {c.tail, c.head};
+  }
+
+  /// Numbers a side that looks outside, and those that follow it at vertices where no others do.
+  /// @param outside  by vertex: the sides that look outside.
+  void number_outside(std::uint32_t first, std::uint32_t number, const Rows<std::uint32_t>& outside) {
+    std::vector<std::uint32_t> pending{first};
+    face_[first] = number;
+    while (!pending.empty()) {
+      const std::uint32_t here = pending.back();
+      pending.pop_back();
+      for (VertexId v : ends(here)) {
+        if (outside[v.value].size() != 2) continue;
+        for (const std::uint32_t other : outside[v.value])
+          if (std::exchange(face_[other], number) != number) pending.push_back(other);
+      }
+    }
+  }
 
   void index_submaps() {
-    submap_.assign(sides_count(), kNone);
+    submap_.assign(sides_of_.count(), kNone);
     for (std::uint32_t b = 0; b < state_.submaps().size(); ++b)
       if (!state_.submaps()[b].is_ring()) submap_[state_.submaps()[b].walk] = b;
-    best_.assign(8 * submap_.size(), kFar);
-  }
-  std::size_t sides_count() const {
-    std::uint32_t most = 0;
-    for (std::uint32_t f : face_) most = std::max(most, f + 1);
-    return most;
+    best_.assign(8 * submap_.size(), kInfinity);
   }
 
   /// Side of the submappable face that a curve belongs to; the first of a line that ends in it.
   std::uint32_t submap_side(std::uint32_t submap, CurveId c) const {
-    for (auto p = state_.parts().begin(c.value); p != state_.parts().end(c.value); ++p)
-      if (p->submap == submap) return p->side;
+    for (const CountState::Part& p : state_.parts(c))
+      if (p.submap == submap) return p.side;
     return 0;
   }
 
@@ -125,7 +124,7 @@ class IntervalBalancing {
   double crossing_cost(CurveId c, int step) const {
     const CountTarget& target = state_.target(c);
     const std::int64_t count = static_cast<std::int64_t>(state_.count(c)) + step;
-    if (target.is_even || count < std::max<std::int64_t>(1, target.least)) return kFar;
+    if (target.is_even || count < std::max<std::int64_t>(1, target.least)) return kInfinity;
     const double cost = count_cost(target, static_cast<std::uint32_t>(count)) - count_cost(target, state_.count(c));
     return std::max(0.0, cost);
   }
@@ -136,58 +135,77 @@ class IntervalBalancing {
     if (submap == kNone) return 0;
     std::array<std::int64_t, 4> sums = state_.sums(submap);
     for (const auto& [curve, step] : {std::pair{a, step_a}, std::pair{b, step_b}})
-      for (auto p = state_.parts().begin(curve.value); p != state_.parts().end(curve.value); ++p)
-        if (p->submap == submap) sums[p->side] += step;  // twice for a line that ends in the submappable face
+      for (const CountState::Part& p : state_.parts(curve))
+        if (p.submap == submap) sums[p.side] += step;  // twice for a line that ends in the submappable face
     return CountState::kGapCost *
            static_cast<double>(std::max<std::int64_t>(0, state_.gap(submap, sums) - state_.gap(submap)));
   }
 
+  /// A search for the cheapest closed path across a curve, which gets `step` edges more.
+  struct Search {
+    using Entry = std::pair<double, std::uint32_t>;  ///< cost so far, arrival
+    CurveId start;
+    int step;
+    std::uint32_t home;  ///< the face on the left of the start, where the path must end
+    int budget = kBudget;
+    double shortest = kInfinity;  ///< cost of the best path found
+    std::uint32_t last = kNone;   ///< its last arrival
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue{};
+  };
+
   bool try_from(CurveId start, int step) {
-    const std::uint32_t home = face_[side(start, false)];
-    arrivals_.assign(1, {face_[side(start, true)], start, step, kNone});
-    for (std::size_t s : used_) best_[s] = kFar;
+    for (std::size_t place : used_) best_[place] = kInfinity;
     used_.clear();
-    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
-        queue;
-    queue.push({0, 0});
-    double shortest = kFar;
-    std::uint32_t last = kNone;
-    if (arrivals_[0].face == home) {
-      last = 0;  // a bridge: alone it keeps every cell even
-      shortest = 0;
+    Search search{.start = start, .step = step, .home = face_[side(start, false)]};
+    arrivals_.assign(1, {face_[side(start, true)], start, step, kNone});
+    search.queue.push({0, 0});
+    if (arrivals_[0].face == search.home) {  // a bridge: alone it keeps every cell even
+      search.shortest = 0;
+      search.last = 0;
     }
-    for (int budget = kBudget; !queue.empty() && budget > 0;) {
-      const auto [cost, id] = queue.top();
-      queue.pop();
-      if (cost >= shortest) break;
-      const Arrival here = arrivals_[id];
-      for (auto s = sides_of_.begin(here.face); s != sides_of_.end(here.face) && budget > 0; ++s, --budget) {
-        const CurveId c(*s / 2);
-        if (c == here.curve) continue;
-        for (int by : {-1, 1}) {
-          const double sum = cost + crossing_cost(c, by) + turning_cost(here.face, here.curve, here.step, c, by);
-          const Arrival next{face_[*s ^ 1], c, by, id};
-          if (sum >= shortest) continue;
-          if (next.face == home) {
-            const double closed = sum + turning_cost(home, c, by, start, step);
-            if (closed >= shortest) continue;
-            shortest = closed;
-            last = static_cast<std::uint32_t>(arrivals_.size());
-            arrivals_.push_back(next);
-            continue;
-          }
-          const std::size_t place = slot(next);
-          if (sum >= best_[place]) continue;
-          best_[place] = sum;
-          used_.push_back(place);
-          queue.push({sum, static_cast<std::uint32_t>(arrivals_.size())});
-          arrivals_.push_back(next);
-        }
-      }
+    while (!search.queue.empty() && search.budget > 0) {
+      const auto [cost, arrival] = search.queue.top();
+      search.queue.pop();
+      if (cost >= search.shortest) break;
+      go_on(search, cost, arrival);
     }
-    return last != kNone && take(last);
+    return search.last != kNone && take(search.last);
   }
 
+  /// From an arrival across every other curve of its face.
+  void go_on(Search& search, double cost, std::uint32_t arrival) {
+    const Arrival here = arrivals_[arrival];
+    for (const std::uint32_t s : sides_of_[here.face]) {
+      if (search.budget == 0) return;
+      --search.budget;
+      const CurveId c(s / 2);
+      if (c == here.curve) continue;
+      for (int by : {-1, 1}) {
+        const double sum = cost + crossing_cost(c, by) + turning_cost(here.face, here.curve, here.step, c, by);
+        if (sum < search.shortest) arrive(search, sum, {face_[s ^ 1], c, by, arrival});
+      }
+    }
+  }
+
+  /// Closes the path where that is home; keeps the arrival to go on from where none was cheaper.
+  void arrive(Search& search, double cost, const Arrival& next) {
+    const auto id = static_cast<std::uint32_t>(arrivals_.size());
+    if (next.face == search.home) {
+      const double closed = cost + turning_cost(search.home, next.curve, next.step, search.start, search.step);
+      if (closed >= search.shortest) return;
+      search.shortest = closed;
+      search.last = id;
+    } else {
+      const std::size_t place = slot(next);
+      if (cost >= best_[place]) return;
+      best_[place] = cost;
+      used_.push_back(place);
+      search.queue.push({cost, id});
+    }
+    arrivals_.push_back(next);
+  }
+
+  /// Makes the changes of a path; false where they do not gain, or where it crosses a curve twice.
   bool take(std::uint32_t last) {
     changes_.clear();
     for (std::uint32_t id = last; id != kNone; id = arrivals_[id].from) {
@@ -218,9 +236,9 @@ class IntervalBalancing {
 
 void balance_intervals(const Domain& domain, CountState& state) {
   if (state.submaps().empty()) return;
-  IntervalBalancing exchange(domain, state);
+  IntervalBalancing balancing(domain, state);
   for (int pass = 0; pass < kMaxPasses; ++pass)
-    if (!exchange.pass()) break;
+    if (!balancing.pass()) break;
 }
 
 }  // namespace quadline

@@ -26,9 +26,8 @@ void relax(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<EdgeId> suspects;
   for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-      const NodeId v(i);
-      if (!topo.is_live(v) || !mesh.is_free(v)) continue;
+    for (const NodeId v : topo.nodes()) {
+      if (!mesh.is_free(v)) continue;
       Point mean;
       int n = 0;
       topo.for_each_out(v, [&](HalfId h) {
@@ -38,8 +37,7 @@ void relax(WorkMesh& mesh) {
       const Point p = (1.0 / n) * mean;
       if (stays_positive(mesh, v, p)) mesh.move(v, p);
     }
-    for (std::size_t i = 0; i < topo.edge_capacity(); ++i)
-      if (topo.is_live(EdgeId(i))) suspects.push_back(EdgeId(i));
+    for (const EdgeId e : topo.edges()) suspects.push_back(e);
     restore_delaunay(mesh, suspects);
   }
 }

@@ -61,7 +61,7 @@ FaceId Insertion::walk(NodeId v, Point p) const {
   });
   while (x.valid()) {
     if (orientation(mesh_.point(topo.tail(x)), mesh_.point(topo.head(x)), p) >= 0) return topo.face(x);
-    if (mesh_.is_constraint(x)) return {};
+    if (mesh_.can_cross(x) != Refusal::None) return {};
     const HalfId right = topo.next(twin(x));
     x = orientation(from, p, mesh_.point(topo.head(right))) > 0 ? right : topo.next(right);
   }

@@ -74,9 +74,8 @@ void subdivide_edges(WorkMesh& mesh, const SizeField& size, double done, Context
     for (std::size_t i = h.count(); i < topo.node_capacity(); ++i) h.push_back(size.at(mesh.point(NodeId(i))));
     candidates.clear();
     FaceId near;
-    for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
-      const EdgeId e(i);
-      if (!topo.is_live(e) || mesh.is_constraint(e) || mesh.is_outside(half_of(e))) continue;
+    for (const EdgeId e : topo.edges()) {
+      if (mesh.is_constraint(e) || mesh.is_outside(half_of(e))) continue;
       const NodeId a = topo.tail(half_of(e)), b = topo.head(half_of(e));
       subdivision.add_points(mesh.point(a), mesh.point(b), h[a], h[b], candidates);
       if (!near.valid()) near = topo.face(half_of(e));

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "geom/predicates.hpp"
+#include "quality/limits.hpp"
 
 namespace quadline {
 
 namespace {
-
-constexpr double kPoor = 0.05;  // scaled Jacobian below which a quad is cut into two triangles
 
 // Least sine of a corner; not positive where the triangle is not counter-clockwise.
 double least_sine(Point a, Point b, Point c) {
@@ -40,12 +39,11 @@ int better_diagonal(const WorkMesh& mesh, FaceId f) {
   return best;
 }
 
-void cut_poor_quads(WorkMesh& mesh) {
+void cut_thin_quads(WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<FaceId> made;
-  for (std::size_t i = 0, n = topo.face_capacity(); i < n; ++i) {
-    const FaceId f(i);
-    if (!topo.is_live(f) || topo.is_triangle(f) || scaled_jacobian(mesh.quad_points(f)) > kPoor) continue;
+  for (const FaceId f : topo.faces()) {
+    if (topo.is_triangle(f) || scaled_jacobian(mesh.quad_points(f)) > kThinJacobian) continue;
     const int k = better_diagonal(mesh, f);
     if (k < 0) continue;
     const Polygon q = topo.polygon(f);
@@ -92,12 +90,12 @@ class Halving {
 
   void run() {
     keep_nodes();
-    for (std::size_t i = 0; i < topo().edge_capacity(); ++i) add_middle(EdgeId(i));
-    for (std::size_t i = 0; i < topo().face_capacity(); ++i) add_quads(FaceId(i));
+    for (const EdgeId e : topo().edges()) add_middle(e);
+    for (const FaceId f : topo().faces()) add_quads(f);
     mesh_.build(std::move(points_), std::move(tags_), quads_);
     for (std::size_t i = 0; i < cells_.size(); ++i) mesh_.set_cell(FaceId(i), cells_[i]);
     for (const Segment& s : segments_) mesh_.set_curve(edge_of(topo().find(s.a, s.b)), s.curve);
-    mesh_.segments = std::move(segments_);
+    mesh_.set_segments(std::move(segments_));
   }
 
  private:
@@ -110,7 +108,7 @@ class Halving {
   }
 
   void keep_nodes() {
-    for (std::size_t i = 0; i < topo().node_capacity(); ++i) add_node(mesh_.point(NodeId(i)), mesh_.tag(NodeId(i)));
+    for (const NodeId v : topo().nodes()) add_node(mesh_.point(v), mesh_.tag(v));
   }
 
   void add_middle(EdgeId e) {
@@ -175,7 +173,7 @@ class Halving {
 
 void halve(WorkMesh& mesh, const Domain& domain, Context& context) {
   context.progress("halve", 0);
-  cut_poor_quads(mesh);
+  cut_thin_quads(mesh);
   mesh.compact();
   Halving(mesh, domain).run();
   mesh.sort_in_space();
@@ -186,7 +184,7 @@ void halve_segments(WorkMesh& mesh, const Domain& domain, const std::vector<Curv
   IdVector<CurveId, std::uint8_t> is_halved(domain.curves.count(), 0);
   for (const CurveId c : curves) is_halved[c] = 1;
   std::vector<Segment> segments;
-  for (const Segment& s : mesh.segments) {
+  for (const Segment& s : mesh.segments()) {
     if (!is_halved[s.curve]) {
       segments.push_back(s);
       continue;
@@ -196,7 +194,7 @@ void halve_segments(WorkMesh& mesh, const Domain& domain, const std::vector<Curv
     segments.push_back({s.a, m, s.curve});
     segments.push_back({m, s.b, s.curve});
   }
-  mesh.segments = std::move(segments);
+  mesh.set_segments(std::move(segments));
 }
 
 }  // namespace quadline

@@ -25,10 +25,8 @@ Polygon merged(const Topology& topo, EdgeId e) {
 std::vector<Pair> pairs_of(const WorkMesh& mesh) {
   const Topology& topo = mesh.topo();
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
-    const EdgeId e(i);
-    if (!topo.is_live(e) || mesh.is_constraint(e)) continue;
-    if (!mesh.is_triangle(half_of(e, 0)) || !mesh.is_triangle(half_of(e, 1))) continue;
+  for (const EdgeId e : topo.edges()) {
+    if (mesh.can_merge(e) != Refusal::None) continue;
     const Polygon q = merged(topo, e);
     const double worth = scaled_jacobian(
         {mesh.point(q.nodes[0]), mesh.point(q.nodes[1]), mesh.point(q.nodes[2]), mesh.point(q.nodes[3])});

@@ -168,7 +168,7 @@ class Driver {
   void find_dormant() {
     const Topology& topo = mesh_.topo();
     dormant_.assign(2 * topo.edge_capacity(), 0);
-    for (const Segment& s : mesh_.segments) {
+    for (const Segment& s : mesh_.segments()) {
       const HalfId h = topo.find(s.a, s.b);
       if (h.valid() && !mesh_.is_boundary(edge_of(h))) dormant_[twin(h)] = 1;
     }

@@ -1,7 +1,7 @@
 // Constrained Laplacian smoothing [Lee2003 section 6]. We differ: "improves" means that the least scaled Jacobian round
 // the node does not fall, or stays high; a refused move is halved twice; only nodes near a change are looked at again.
-#include "stages/smooth/star.hpp"
 #include "stages/smooth/steps.hpp"
+#include "stages/smooth/sweep.hpp"
 
 namespace quadline::smoothing {
 
@@ -33,18 +33,9 @@ bool centre_node(Stars& stars, std::size_t i, Star& star, double min_move) {
 }  // namespace
 
 void laplacian(Stars& stars, const SmoothOptions& options, const Progress& progress) {
-  Star star;
   stars.wake_all();
-  for (int pass = 0; pass < options.passes; ++pass) {
-    progress.report(static_cast<double>(pass) / options.passes);
-    bool moved = false;
-    for (const std::uint32_t i : stars.take_awake()) {
-      if (!centre_node(stars, i, star, options.min_move)) continue;
-      stars.wake_around(i);
-      moved = true;
-    }
-    if (!moved) return;
-  }
+  sweep(stars, options.passes, progress,
+        [&](std::size_t i, Star& star) { return centre_node(stars, i, star, options.min_move); });
 }
 
 }  // namespace quadline::smoothing

@@ -1,10 +1,8 @@
 // The caller's limits, by a direct search: a node of a quad that fails them goes where the quads round it are beyond
 // them by the least. Their sum lets a node trade one quad for another; that it must fall by a part ends the search.
-#include <array>
-
 #include "quality/criteria_values.hpp"
-#include "stages/smooth/star.hpp"
 #include "stages/smooth/steps.hpp"
+#include "stages/smooth/sweep.hpp"
 
 namespace quadline::smoothing {
 
@@ -13,8 +11,6 @@ namespace {
 constexpr double kGain = 0.98;                         // factor on the excess that a move must reach
 constexpr int kSweeps = 4;                             // for each pass asked for: few nodes take part
 constexpr double kFirstStep = 0.2, kLastStep = 0.005;  // in target sizes
-constexpr std::array<Point, 8> kDirections{
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}}};
 
 double excess(const Stars& stars, std::size_t i, Point at, const Criteria& criteria) {
   double sum = 0;
@@ -52,19 +48,9 @@ bool meet_at(Stars& stars, std::size_t i, Star& star, const Criteria& criteria) 
 }  // namespace
 
 void meet_criteria(Stars& stars, const SmoothOptions& options, const Progress& progress) {
-  Star star;
   stars.wake_all();
-  const int sweeps = kSweeps * options.passes;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    progress.report(static_cast<double>(sweep) / sweeps);
-    bool moved = false;
-    for (const std::uint32_t i : stars.take_awake()) {
-      if (!meet_at(stars, i, star, *options.criteria)) continue;
-      stars.wake_around(i);
-      moved = true;
-    }
-    if (!moved) return;
-  }
+  sweep(stars, kSweeps * options.passes, progress,
+        [&](std::size_t i, Star& star) { return meet_at(stars, i, star, *options.criteria); });
 }
 
 }  // namespace quadline::smoothing

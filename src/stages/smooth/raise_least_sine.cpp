@@ -1,11 +1,9 @@
 // The worst corners directly: a search in eight directions for the place of the greatest least sine, node by node
 // [Freitag2000]. That is where two or three corners are equally bad: a kink, so no derivatives. Sines do not see
 // stretch, so the shape must not get much worse.
-#include <array>
-
 #include "stages/smooth/shape_energy.hpp"
-#include "stages/smooth/star.hpp"
 #include "stages/smooth/steps.hpp"
+#include "stages/smooth/sweep.hpp"
 
 namespace quadline::smoothing {
 
@@ -14,8 +12,6 @@ namespace {
 constexpr double kGain = 1e-4;                         // of the squared sine that is worth a move
 constexpr double kMayLose = 1.02;                      // factor on the inverse mean ratios that a move may cost
 constexpr double kFirstStep = 0.1, kLastStep = 0.005;  // in target sizes
-constexpr std::array<Point, 8> kDirections{
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}}};
 
 bool raise_at(Stars& stars, std::size_t i, Star& star) {
   star.gather(stars, i);
@@ -46,18 +42,8 @@ bool raise_at(Stars& stars, std::size_t i, Star& star) {
 }  // namespace
 
 void raise_least_sine(Stars& stars, const SmoothOptions& options, const Progress& progress) {
-  Star star;
   stars.wake_all();
-  for (int pass = 0; pass < options.passes; ++pass) {
-    progress.report(static_cast<double>(pass) / options.passes);
-    bool moved = false;
-    for (const std::uint32_t i : stars.take_awake()) {
-      if (!raise_at(stars, i, star)) continue;
-      stars.wake_around(i);
-      moved = true;
-    }
-    if (!moved) return;
-  }
+  sweep(stars, options.passes, progress, [&](std::size_t i, Star& star) { return raise_at(stars, i, star); });
 }
 
 }  // namespace quadline::smoothing

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "stages/smooth/progress.hpp"
 #include "stages/smooth/quadratic.hpp"
-#include "stages/smooth/star.hpp"
+#include "stages/smooth/sweep.hpp"
 
 namespace quadline::smoothing {
 
@@ -55,17 +54,8 @@ bool relax_node(Stars& stars, std::size_t i, Star& star, const Energy& energy, c
 /// - `value(star, p, floor2)`: infinite where a squared sine is below `floor2`, which is asked for if it has `kGuards`.
 template <class Energy>
 void relax(Stars& stars, const Energy& energy, const Sweeps& sweeps, const Progress& progress) {
-  Star star;
-  for (int pass = 0; pass < sweeps.passes; ++pass) {
-    progress.report(static_cast<double>(pass) / sweeps.passes);
-    bool moved = false;
-    for (const std::uint32_t i : stars.take_awake()) {
-      if (!relax_node(stars, i, star, energy, sweeps)) continue;
-      stars.wake_around(i);
-      moved = true;
-    }
-    if (!moved) return;
-  }
+  sweep(stars, sweeps.passes, progress,
+        [&](std::size_t i, Star& star) { return relax_node(stars, i, star, energy, sweeps); });
 }
 
 }  // namespace quadline::smoothing

@@ -19,11 +19,9 @@ Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size) 
   star_of_.assign(topo.node_capacity(), kNone);
   point_.resize(topo.node_capacity());
   first_.push_back(0);
-  for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
-    const NodeId v(i);
-    if (!topo.is_live(v)) continue;
-    point_[i] = mesh.point(v);
-    if (mesh.tag(v).kind == NodeKind::Free || add_slide(mesh, v)) add_star(mesh, v, size);
+  for (const NodeId v : topo.nodes()) {
+    point_[v.value] = mesh.point(v);
+    if (mesh.is_free(v) || add_slide(mesh, v)) add_star(mesh, v, size);
   }
   limit_slides();
   awake_.assign(node_.size(), 0);
@@ -31,10 +29,9 @@ Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size) 
 
 void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
   const Topology& topo = mesh.topo();
-  const bool is_free = mesh.tag(v).kind == NodeKind::Free;
   star_of_[v.value] = static_cast<std::uint32_t>(node_.size());
   node_.push_back(v.value);
-  slide_of_.push_back(is_free ? kNone : static_cast<std::uint32_t>(slides_.size() - 1));
+  slide_of_.push_back(mesh.is_free(v) ? kNone : static_cast<std::uint32_t>(slides_.size() - 1));
   size_.push_back(size.at(mesh.point(v)));
   topo.for_each_out(v, [&](HalfId h) {
     if (!topo.face(h).valid()) return;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "domain/domain.hpp"
 #include "domain/size/size_field.hpp"
 #include "mesh/work_mesh.hpp"
@@ -59,7 +60,6 @@ class Stars {
   void store(WorkMesh& mesh) const;
 
  private:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
   struct Slide {
     CurveId curve;
     double s;                     ///< arc length along the curve

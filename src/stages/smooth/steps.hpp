@@ -1,13 +1,14 @@
 #pragma once
 
+#include "quality/limits.hpp"
 #include "stages/smooth/progress.hpp"
 #include "stages/smooth/smooth.hpp"
 #include "stages/smooth/stars.hpp"
 
 namespace quadline::smoothing {
 
-/// Scaled Jacobian that every step may lower a star to, if it was better; squared.
-constexpr double kFloor2 = 0.84 * 0.84;
+/// Every step may lower the least sine of a star to this, if it was better; squared.
+constexpr double kFloor2 = kGoodJacobian * kGoodJacobian;
 
 // The steps of smoothing, in their order.
 

@@ -10,7 +10,7 @@ namespace quadline::smoothing {
 
 namespace {
 
-constexpr double kTangled2 = 0.02 * 0.02;  // squared sine below which a star counts as tangled
+constexpr double kTangled2 = kBrokenJacobian * kBrokenJacobian;  // squared sine below which a star is tangled
 constexpr int kRounds = 3, kRingsPerRound = 2, kLaplacePasses = 10, kPasses = 5;
 constexpr double kSoft = 1, kHard = 0.01, kHardening = 0.5;  // epsilon of the barrier: first, last, factor
 

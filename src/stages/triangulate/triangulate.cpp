@@ -94,7 +94,7 @@ void spread_cells(WorkMesh& mesh, const Domain& domain) {
     mesh.set_cell(f, cell);
     front.push_back(f);
   };
-  for (const Segment& s : mesh.segments) {
+  for (const Segment& s : mesh.segments()) {
     const HalfId h = topo.find(s.a, s.b);
     claim(topo.face(h), domain.curves[s.curve].left);
     claim(topo.face(twin(h)), domain.curves[s.curve].right);
@@ -103,7 +103,7 @@ void spread_cells(WorkMesh& mesh, const Domain& domain) {
     const FaceId f = front.back();
     front.pop_back();
     topo.for_each_half(f, [&](HalfId h) {
-      if (!mesh.is_constraint(h)) claim(topo.face(twin(h)), mesh.cell(f));
+      if (mesh.can_cross(h) == Refusal::None) claim(topo.face(twin(h)), mesh.cell(f));
     });
   }
 }
@@ -116,9 +116,9 @@ void triangulate(WorkMesh& mesh, const Domain& domain, Context& context) {
   start_with_box(mesh);
   insert_nodes(mesh, n, context);
   std::vector<Segment> pieces;
-  pieces.reserve(mesh.segments.size());
-  for (const Segment& s : mesh.segments) recover_segment(mesh, s, pieces);
-  mesh.segments = std::move(pieces);
+  pieces.reserve(mesh.segments().size());
+  for (const Segment& s : mesh.segments()) recover_segment(mesh, s, pieces);
+  mesh.set_segments(std::move(pieces));
   spread_cells(mesh, domain);
   QUADLINE_DEBUG_CHECK(defect(mesh).empty());
   context.progress("triangulate", 1);

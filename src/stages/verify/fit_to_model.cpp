@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "base/constants.hpp"
 #include "geom/curve.hpp"
+#include "quality/mesh_edges.hpp"
 #include "search/box_tree.hpp"
 
 namespace quadline {
 
 namespace {
-
-constexpr NodeIndex kNone = UINT32_MAX;
 
 using Edge = std::array<NodeIndex, 2>;
 
@@ -23,29 +23,16 @@ std::vector<Box> boxes_of(const std::vector<Point>& points) {
   return boxes;
 }
 
-/// The edges of all elements, each with its lower node first, sorted.
-std::vector<Edge> edges_of_elements(const Mesh& mesh) {
-  std::vector<Edge> edges;
-  const auto add = [&](const auto& element) {
-    for (std::size_t i = 0; i < element.size(); ++i) {
-      const NodeIndex a = element[i], b = element[(i + 1) % element.size()];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  };
-  for (const auto& quad : mesh.quads) add(quad);
-  for (const auto& triangle : mesh.triangles) add(triangle);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
 class Fitter {
  public:
   Fitter(Mesh mesh, const Domain& domain)
-      : mesh_(std::move(mesh)), domain_(domain), tree_(boxes_of(mesh_.points)), edges_(edges_of_elements(mesh_)) {
+      : mesh_(std::move(mesh)), domain_(domain), tree_(boxes_of(mesh_.points)), edges_(mesh_) {
     double sum = 0;
-    for (const auto& [a, b] : edges_) sum += distance(mesh_.points[a], mesh_.points[b]);
-    step_ = sum / static_cast<double>(std::max<std::size_t>(edges_.size(), 1));
+    for (std::size_t e = 0; e < edges_.count(); ++e) {
+      const auto [a, b] = edges_.nodes(e);
+      sum += distance(mesh_.points[a], mesh_.points[b]);
+    }
+    step_ = sum / static_cast<double>(std::max<std::size_t>(edges_.count(), 1));
   }
 
   Mesh run() {
@@ -98,8 +85,7 @@ class Fitter {
     std::vector<Edge> along;
     for (std::size_t i = 1; i < nodes.size(); ++i) {
       const NodeIndex a = nodes[i - 1].second, b = nodes[i].second;
-      if (std::binary_search(edges_.begin(), edges_.end(), Edge{std::min(a, b), std::max(a, b)}))
-        along.push_back({a, b});
+      if (edges_.find(a, b) != edges_.count()) along.push_back({a, b});
     }
     return along;
   }
@@ -115,7 +101,7 @@ class Fitter {
   Mesh mesh_;
   const Domain& domain_;
   BoxTree tree_;
-  std::vector<Edge> edges_;
+  MeshEdges edges_;
   double step_ = 0;
 };
 

@@ -13,13 +13,13 @@
 #include "geom/curve.hpp"
 #include "geom/element.hpp"
 #include "geom/predicates.hpp"
-#include "stages/verify/mesh_edges.hpp"
+#include "quality/limits.hpp"
+#include "quality/mesh_edges.hpp"
 
 namespace quadline {
 
 namespace {
 
-constexpr double kFlatSine = 1e-6;   // a corner whose sine is not above it is of no use to a solver
 constexpr double kSameNode = 0.01;   // in tolerances: nodes nearer than this stand in one place
 constexpr double kSquare = 4;        // side of the squares by which near nodes are sought, in the same distance
 constexpr double kAreaError = 1e-9;  // relative to the square of the domain's diagonal
@@ -32,7 +32,7 @@ int reflex_corner(const QuadPoints& p) {
   return -1;
 }
 
-bool is_flat(const QuadPoints& p) { return !(scaled_jacobian(p) > kFlatSine); }
+bool is_flat(const QuadPoints& p) { return !(scaled_jacobian(p) > kFlatJacobian); }
 
 bool is_before(Point p, Point q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
@@ -49,8 +49,7 @@ class Verifier {
     if (!failure_) check_nodes();
     context.progress("verify", 0.4);
     if (failure_) return failure_;
-    const MeshEdges edges(mesh_);
-    edges_ = &edges;
+    edges_.emplace(mesh_);
     check_vertices();
     if (!failure_) check_curves();
     if (!failure_) check_edges();
@@ -147,7 +146,7 @@ class Verifier {
   }
 
   void check_curves() {
-    on_curve_.assign(edges_->edges().size(), 0);
+    on_curve_.assign(edges_->count(), 0);
     area_.assign(domain_.regions.size(), 0);
     is_covered_.assign(domain_.curves.count(), 0);
     if (mesh_.curves.size() != domain_.paths.size()) return fail("a curve is missing", domain_.box.lo);
@@ -181,14 +180,14 @@ class Verifier {
       if (k == set.edges.size()) return fail("'" + set.name + "' is not covered by edges to its end", point(here));
       const auto [a, b] = set.edges[k];
       if (a != here) return fail("'" + set.name + "' has a gap", point(here));
-      const std::int64_t edge = b < mesh_.points.size() ? edges_->find(a, b) : -1;
-      if (edge < 0) return fail("'" + set.name + "' has an edge that is no side of a quad", point(a));
+      const std::size_t edge = edges_->find(a, b);
+      if (edge == edges_->count()) return fail("'" + set.name + "' has an edge that is no side of a quad", point(a));
       const double next = b == end ? total : project(piece, point(b));
       if (b != end && distance(point(b), point_at(piece, next)) > domain_.tolerance)
         return fail("a node of '" + set.name + "' lies off it", point(b));
       if (next <= s) return fail("the edges of '" + set.name + "' run back", point(b));
       const CellId left = d.reversed ? curve.right : curve.left, right = d.reversed ? curve.left : curve.right;
-      check_sides(static_cast<std::size_t>(edge), a < b, left, right, set.name);
+      check_sides(edge, a < b, left, right, set.name);
       s = next;
       here = b;
     }
@@ -196,25 +195,32 @@ class Verifier {
 
   // The faces beside an edge of a curve, and its part of the areas of the regions beside it.
   void check_sides(std::size_t edge, bool forward, CellId left, CellId right, const std::string& name) {
-    const MeshEdges::Edge& e = edges_->edges()[edge];
-    if ((forward ? e.forward : e.backward) != (left.valid() ? 1u : 0u) ||
-        (forward ? e.backward : e.forward) != (right.valid() ? 1u : 0u))
-      return fail("an edge of '" + name + "' does not have its quads", midpoint(point(e.a), point(e.b)));
+    const auto [a, b] = edges_->nodes(edge);
+    if (quads_beside(edge, forward) != (left.valid() ? 1 : 0) ||
+        quads_beside(edge, !forward) != (right.valid() ? 1 : 0))
+      return fail("an edge of '" + name + "' does not have its quads", midpoint(point(a), point(b)));
     if (on_curve_[edge]) return;  // of another curve of the model as well
     on_curve_[edge] = 1;
-    const double part = (forward ? 0.5 : -0.5) * cross(point(e.a) - center_, point(e.b) - center_);
+    const double part = (forward ? 0.5 : -0.5) * cross(point(a) - center_, point(b) - center_);
     if (left.valid()) area_[region_of(domain_.cells[left].region)] += part;
     if (right.valid()) area_[region_of(domain_.cells[right].region)] -= part;
+  }
+  // Those that walk it from its smaller node to its greater one, or those that walk it back.
+  int quads_beside(std::size_t edge, bool forward) const {
+    int n = 0;
+    for (const Side& side : edges_->sides(edge)) n += side.forward == forward;
+    return n;
   }
   // Meshes with names of their own are not asked for the model's.
   std::size_t region_of(std::size_t region) const { return names_regions_ ? region : 0; }
 
   void check_edges() {
     for (std::size_t i = 0; i < on_curve_.size() && !failure_; ++i) {
-      const MeshEdges::Edge& e = edges_->edges()[i];
-      const Point at = midpoint(point(e.a), point(e.b));
-      if (e.forward > 1 || e.backward > 1) fail("quads overlap at an edge", at);
-      if (!on_curve_[i] && e.forward + e.backward != 2) fail("an edge inside the domain has only one quad", at);
+      const auto [a, b] = edges_->nodes(i);
+      const int n_forward = quads_beside(i, true), n_backward = quads_beside(i, false);
+      const Point at = midpoint(point(a), point(b));
+      if (n_forward > 1 || n_backward > 1) fail("quads overlap at an edge", at);
+      if (!on_curve_[i] && n_forward + n_backward != 2) fail("an edge inside the domain has only one quad", at);
     }
   }
 
@@ -235,7 +241,7 @@ class Verifier {
   const Domain& domain_;
   const Point center_;
   const bool names_regions_;
-  const MeshEdges* edges_ = nullptr;
+  std::optional<MeshEdges> edges_;
   IdVector<VertexId, NodeIndex> node_at_;
   std::vector<std::uint8_t> on_curve_;  // of edges
   IdVector<CurveId, std::uint8_t> is_covered_;

@@ -5,7 +5,7 @@
 #include "domain/domain.hpp"
 #include "geom/element.hpp"
 #include "quadline/context.hpp"
-#include "quadline/generate.hpp"
+#include "quadline/failure.hpp"
 #include "quadline/mesh.hpp"
 
 namespace quadline {

@@ -59,14 +59,14 @@ TEST_F(CellParts, HaveTheNodesOfTheirCell) {
     has_point |= part.point(NodeId(i)) == Point{3.3, 3.3};
   }
   EXPECT_TRUE(has_point);
-  EXPECT_EQ(part.segments.size(), cells_.count(left));
+  EXPECT_EQ(part.segments().size(), cells_.count(left));
   std::size_t n_shared = 0;
-  for (const Segment& s : nodes_.segments) {
+  for (const Segment& s : nodes_.segments()) {
     const Domain::Curve& c = domain_.curves[s.curve];
     n_shared += c.left.valid() && c.right.valid() && c.left != c.right;
   }
   EXPECT_EQ(n_shared, 8u);
-  EXPECT_EQ(cells_.count(left) + cells_.count(right), nodes_.segments.size() + n_shared);
+  EXPECT_EQ(cells_.count(left) + cells_.count(right), nodes_.segments().size() + n_shared);
 }
 
 TEST_F(CellParts, JoinAtTheNodesThatTheyShare) {
@@ -80,9 +80,9 @@ TEST_F(CellParts, JoinAtTheNodesThatTheyShare) {
   EXPECT_EQ(defect(mesh), "");
   EXPECT_EQ(mesh.topo().face_count(), n_faces);
   EXPECT_EQ(mesh.topo().node_count(), nodes_.topo().node_capacity());
-  EXPECT_EQ(mesh.segments.size(), nodes_.segments.size());
+  EXPECT_EQ(mesh.segments().size(), nodes_.segments().size());
   std::set<std::pair<NodeId, NodeId>> once;
-  for (const Segment& s : mesh.segments) {
+  for (const Segment& s : mesh.segments()) {
     EXPECT_EQ(mesh.curve(edge_of(mesh.topo().find(s.a, s.b))), s.curve);
     EXPECT_TRUE(once.insert({s.a, s.b}).second);
   }

@@ -33,7 +33,7 @@ CellSet all_cells(const Domain& domain) {
 
 std::vector<unsigned> counts(const Domain& domain, const WorkMesh& mesh) {
   std::vector<unsigned> n(domain.curves.count(), 0);
-  for (const Segment& s : mesh.segments) ++n[s.curve.value];
+  for (const Segment& s : mesh.segments()) ++n[s.curve.value];
   return n;
 }
 
@@ -57,15 +57,15 @@ void expect_sound(const Domain& domain, const WorkMesh& mesh) {
     const Domain::Curve& curve = domain.curves[CurveId(c)];
     double last = 0;
     ASSERT_GE(n[c], 1u);
-    EXPECT_EQ(mesh.segments[k].a, NodeId(curve.tail.value));
+    EXPECT_EQ(mesh.segments()[k].a, NodeId(curve.tail.value));
     for (unsigned i = 0; i < n[c]; ++i, ++k) {
-      ASSERT_EQ(mesh.segments[k].curve, CurveId(c));
-      const NodeId b = mesh.segments[k].b;
+      ASSERT_EQ(mesh.segments()[k].curve, CurveId(c));
+      const NodeId b = mesh.segments()[k].b;
       if (i + 1 == n[c]) {
         EXPECT_EQ(b, NodeId(curve.head.value));
         continue;
       }
-      EXPECT_EQ(mesh.segments[k + 1].a, b);
+      EXPECT_EQ(mesh.segments()[k + 1].a, b);
       EXPECT_EQ(mesh.tag(b).kind, NodeKind::OnCurve);
       EXPECT_EQ(mesh.tag(b).curve, CurveId(c));
       EXPECT_GT(mesh.tag(b).s, last);
@@ -74,7 +74,7 @@ void expect_sound(const Domain& domain, const WorkMesh& mesh) {
     }
     EXPECT_LT(last, length(curve.piece));
   }
-  EXPECT_EQ(k, mesh.segments.size());
+  EXPECT_EQ(k, mesh.segments().size());
   for (const Domain::Cell& cell : domain.cells) {
     EXPECT_EQ(edges_round(cell, n) % 2, 0u);
     EXPECT_GE(edges_round(cell, n), 4u);
@@ -84,12 +84,12 @@ void expect_sound(const Domain& domain, const WorkMesh& mesh) {
 /// Segments meet at common nodes only; exact and quadratic.
 void expect_no_crossing(const WorkMesh& mesh) {
   std::set<std::pair<NodeId, NodeId>> seen;
-  for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
-    const Segment& s = mesh.segments[i];
+  for (std::size_t i = 0; i < mesh.segments().size(); ++i) {
+    const Segment& s = mesh.segments()[i];
     EXPECT_TRUE(seen.insert(std::minmax(s.a, s.b)).second) << "two segments between the same nodes";
     const Point a = mesh.point(s.a), b = mesh.point(s.b);
     for (std::size_t j = 0; j < i; ++j) {
-      const Segment& t = mesh.segments[j];
+      const Segment& t = mesh.segments()[j];
       if (s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b) continue;
       const Point c = mesh.point(t.a), d = mesh.point(t.b);
       EXPECT_FALSE(orientation(a, b, c) * orientation(a, b, d) <= 0 &&
@@ -118,7 +118,7 @@ TEST(Discretize, RectangleGetsEqualEdgesOfTheSize) {
   expect_sound(domain, mesh);
   EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{8, 6, 8, 6}));
   EXPECT_EQ(mesh.topo().node_capacity(), 28u);
-  for (const Segment& s : mesh.segments) EXPECT_DOUBLE_EQ(distance(mesh.point(s.a), mesh.point(s.b)), 0.5);
+  for (const Segment& s : mesh.segments()) EXPECT_DOUBLE_EQ(distance(mesh.point(s.a), mesh.point(s.b)), 0.5);
 }
 
 TEST(Discretize, TriangleOfOddSidesBecomesEvenWhereItHurtsLeast) {
@@ -173,7 +173,7 @@ TEST(Discretize, LineSizeAndGrowthHoldAlongTheCurves) {
   expect_sound(domain, mesh);
   EXPECT_NEAR(counts(domain, mesh)[4], 40, 2);
   std::map<CurveId, double> last;
-  for (const Segment& s : mesh.segments) {
+  for (const Segment& s : mesh.segments()) {
     const double l = distance(mesh.point(s.a), mesh.point(s.b));
     const auto [before, is_new] = last.insert({s.curve, l});
     if (!is_new) {
@@ -330,7 +330,7 @@ TEST(Discretize, ArcsWhoseEdgesAreHalvedKeepClearOfNodesNearThem) {
   const auto bulge = [&](const CellSet& halved) {  // of the chord below the node
     const WorkMesh mesh = nodes_of(domain, {}, halved);
     expect_sound(domain, mesh);
-    for (const Segment& s : mesh.segments)
+    for (const Segment& s : mesh.segments())
       if (domain.curves[s.curve].piece.is_arc() && (mesh.point(s.a).x < 0.3) != (mesh.point(s.b).x < 0.3))
         return r - norm(midpoint(mesh.point(s.a), mesh.point(s.b)));
     return kNone;
@@ -392,7 +392,7 @@ TEST(Discretize, WhereAllCellsAreHalvedTheirEdgesBeforeAreEvenInNumber) {
     SCOPED_TRACE(seed);
     const WorkMesh mesh = nodes_of(*domain, {}, all_cells(*domain));
     expect_sound(*domain, mesh);
-    EXPECT_LT(mesh.segments.size(), nodes_of(*domain).segments.size());
+    EXPECT_LT(mesh.segments().size(), nodes_of(*domain).segments().size());
   }
 }
 

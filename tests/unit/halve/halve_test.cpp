@@ -83,8 +83,8 @@ TEST(Halve, ConstraintsHaveTwiceTheEdges) {
   const WorkMesh mesh = halved(patch.mesh, patch.domain);
   EXPECT_EQ(mesh.topo().face_count(), 48u);
   EXPECT_EQ(shapes::n_constraints(mesh), 2 * shapes::n_constraints(patch.mesh));
-  EXPECT_EQ(mesh.segments.size(), shapes::n_constraints(mesh));
-  for (const Segment& s : mesh.segments) EXPECT_EQ(mesh.curve(edge_of(mesh.topo().find(s.a, s.b))), s.curve);
+  EXPECT_EQ(mesh.segments().size(), shapes::n_constraints(mesh));
+  for (const Segment& s : mesh.segments()) EXPECT_EQ(mesh.curve(edge_of(mesh.topo().find(s.a, s.b))), s.curve);
   EXPECT_EQ(least_jacobian(mesh), 1);
 }
 
@@ -115,22 +115,23 @@ TEST(Halve, MiddlesOfArcsLieOnThem) {
 
   // The segments alone, halved, have the same nodes.
   halve_segments(halved_nodes, domain, curves_round(domain, all));
-  ASSERT_EQ(halved_nodes.segments.size(), 2 * nodes.segments.size());
+  ASSERT_EQ(halved_nodes.segments().size(), 2 * nodes.segments().size());
   std::set<std::pair<CurveId, double>> places;
-  for (const Segment& s : mesh.segments) places.insert({s.curve, mesh.tag(s.b).s});
-  for (const Segment& s : halved_nodes.segments)
+  for (const Segment& s : mesh.segments()) places.insert({s.curve, mesh.tag(s.b).s});
+  for (const Segment& s : halved_nodes.segments())
     EXPECT_TRUE(places.count({s.curve, halved_nodes.tag(s.b).s})) << halved_nodes.tag(s.b).s;
 }
 
 TEST(HalveSegments, LeavesTheOtherCurves) {
   const shapes::Patch patch = shapes::patch({.nx = 4, .ny = 3});
   WorkMesh nodes = patch.mesh;
-  nodes.segments = {{patch.node(0, 0), patch.node(4, 0), CurveId(0)}, {patch.node(4, 0), patch.node(4, 3), CurveId(1)}};
+  nodes.set_segments(
+      {{patch.node(0, 0), patch.node(4, 0), CurveId(0)}, {patch.node(4, 0), patch.node(4, 3), CurveId(1)}});
   halve_segments(nodes, patch.domain, {CurveId(1)});
-  ASSERT_EQ(nodes.segments.size(), 3u);
-  EXPECT_EQ(nodes.segments[0].b, patch.node(4, 0));
-  EXPECT_EQ(nodes.segments[1].b, nodes.segments[2].a);
-  EXPECT_EQ(nodes.tag(nodes.segments[1].b).curve, CurveId(1));
+  ASSERT_EQ(nodes.segments().size(), 3u);
+  EXPECT_EQ(nodes.segments()[0].b, patch.node(4, 0));
+  EXPECT_EQ(nodes.segments()[1].b, nodes.segments()[2].a);
+  EXPECT_EQ(nodes.tag(nodes.segments()[1].b).curve, CurveId(1));
 }
 
 TEST(Halve, StopsWhenAsked) {

@@ -50,7 +50,7 @@ TEST(InsertNode, RefusesPlacesThatAreTaken) {
 
 TEST(InsertNode, KeepsTheConstrainedDelaunayProperty) {
   Sketch s = square_with_line();
-  const std::size_t n_segments = s.mesh.segments.size();
+  const std::size_t n_segments = s.mesh.segments().size();
   FaceId near = s.mesh.topo().face(s.mesh.topo().out(NodeId(0)));
   test::Random r(9);
   for (int i = 0; i < 300; ++i) {
@@ -60,7 +60,7 @@ TEST(InsertNode, KeepsTheConstrainedDelaunayProperty) {
     near = s.mesh.topo().face(s.mesh.topo().out(v));
   }
   EXPECT_EQ(defect(s.mesh), "");
-  EXPECT_EQ(s.mesh.segments.size(), n_segments);
+  EXPECT_EQ(s.mesh.segments().size(), n_segments);
   EXPECT_EQ(test::segments_missing(s.mesh), 0);
   EXPECT_EQ(test::edges_not_delaunay(s.mesh), 0);
 }

@@ -116,6 +116,57 @@ TEST(WorkMeshSwap, TurnsTheDiagonalOfAConvexQuad) {
   EXPECT_DOUBLE_EQ(area(mesh), 1);
 }
 
+TEST(WorkMeshGate, EditsDoNotReachAcrossConstraintsAndTheBoundary) {
+  WorkMesh mesh = diamond();
+  const auto half = [&](std::size_t a, std::size_t b) { return mesh.topo().find(n(a), n(b)); };
+  EXPECT_EQ(mesh.can_cross(half(0, 2)), Refusal::None);
+  EXPECT_EQ(mesh.can_cross(half(2, 0)), Refusal::None);
+  EXPECT_EQ(mesh.can_cross(half(0, 1)), Refusal::OnConstraint);
+  mesh.set_curve(edge(mesh, 0, 1), CurveId());
+  EXPECT_EQ(mesh.can_cross(half(0, 1)), Refusal::OnBoundary);
+  EXPECT_EQ(mesh.can_cross(half(1, 0)), Refusal::None);  // from outside
+  mesh.set_curve(edge(mesh, 0, 2), CurveId(5));
+  EXPECT_EQ(mesh.can_cross(half(0, 2)), Refusal::OnConstraint);
+}
+
+TEST(WorkMeshGate, TwoTrianglesWithoutAConstraintBetweenThemMayMerge) {
+  WorkMesh mesh = diamond();
+  EXPECT_EQ(mesh.can_merge(edge(mesh, 0, 2)), Refusal::None);
+  EXPECT_EQ(mesh.can_merge(edge(mesh, 0, 1)), Refusal::OnConstraint);
+  mesh.set_curve(edge(mesh, 0, 1), CurveId());
+  EXPECT_EQ(mesh.can_merge(edge(mesh, 0, 1)), Refusal::OnBoundary);
+  mesh.set_curve(edge(mesh, 0, 2), CurveId(5));
+  EXPECT_EQ(mesh.can_merge(edge(mesh, 0, 2)), Refusal::OnConstraint);
+  const WorkMesh quads = grid(2, 1);
+  EXPECT_EQ(quads.can_merge(edge(quads, 1, 4)), Refusal::NotTriangles);
+}
+
+TEST(WorkMeshGate, AFrozenFaceIsHeldUntilTheThaw) {
+  WorkMesh mesh = grid(3, 3);
+  const FaceId held = face(mesh, 5, 6), beside = face(mesh, 6, 7);
+  const EdgeId between = edge(mesh, 6, 10);
+  EXPECT_EQ(mesh.can_replace(held), Refusal::None);
+  mesh.freeze(held);
+  EXPECT_EQ(mesh.can_replace(held), Refusal::OnConstraint);
+  EXPECT_EQ(mesh.can_replace(beside), Refusal::None);
+  EXPECT_TRUE(mesh.is_constraint(between));
+  EXPECT_FALSE(mesh.curve(between).valid());  // of no curve
+  EXPECT_EQ(mesh.can_cross(mesh.topo().find(n(6), n(10))), Refusal::OnConstraint);
+  EXPECT_FALSE(mesh.is_free(n(6)));
+  mesh.thaw();
+  EXPECT_EQ(mesh.can_replace(held), Refusal::None);
+  EXPECT_FALSE(mesh.is_constraint(between));
+  EXPECT_TRUE(mesh.is_constraint(edge(mesh, 0, 1)));  // that of a curve stays one
+  EXPECT_TRUE(mesh.is_free(n(6)));
+}
+
+TEST(WorkMeshGate, AFaceBetweenCurvesAloneIsNotFrozen) {
+  WorkMesh mesh = grid(1, 1);
+  EXPECT_TRUE(mesh.is_constraint(EdgeId(0)));
+  EXPECT_FALSE(mesh.is_frozen(FaceId(0)));
+  EXPECT_EQ(mesh.can_replace(FaceId(0)), Refusal::None);
+}
+
 TEST(WorkMeshSwap, SaysWhyNot) {
   WorkMesh mesh = diamond();
   EXPECT_EQ(mesh.can_swap(edge(mesh, 0, 1)), Refusal::OnConstraint);
@@ -256,7 +307,7 @@ TEST(WorkMeshDropOutside, TakesFacesOfNoCellAndTheirNodes) {
 
 TEST(WorkMeshCompact, CarriesEverythingAlong) {
   WorkMesh mesh = grid(3, 3);
-  mesh.segments = {{n(14), n(15), CurveId(0)}};
+  mesh.set_segments({{n(14), n(15), CurveId(0)}});
   mesh.set_cell(face(mesh, 0, 1), CellId());
   mesh.set_cell(face(mesh, 10, 11), CellId(2));
   mesh.drop_outside();
@@ -264,7 +315,7 @@ TEST(WorkMeshCompact, CarriesEverythingAlong) {
   EXPECT_EQ(mesh.topo().defect(), nullptr);
   EXPECT_EQ(mesh.topo().node_capacity(), 15u);
   EXPECT_EQ(mesh.point(n(14)), (Point{3, 3}));
-  EXPECT_EQ(mesh.segments[0].b, n(14));
+  EXPECT_EQ(mesh.segments()[0].b, n(14));
   EXPECT_TRUE(mesh.is_constraint(edge(mesh, 13, 14)));
   EXPECT_FALSE(mesh.is_constraint(edge(mesh, 4, 5)));
   EXPECT_EQ(mesh.cell(face(mesh, 9, 10)), CellId(2));

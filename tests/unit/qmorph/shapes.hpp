@@ -27,7 +27,7 @@ inline WorkMesh mesh_of(const std::vector<Point>& points, const std::vector<std:
   for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) mesh.set_cell(FaceId(i), CellId(0));
   for (const Edge& e : constraints) {
     mesh.set_curve(edge_of(mesh.topo().find(NodeId(e[0]), NodeId(e[1]))), CurveId(0));
-    mesh.segments.push_back({NodeId(e[0]), NodeId(e[1]), CurveId(0)});
+    mesh.add_segment({NodeId(e[0]), NodeId(e[1]), CurveId(0)});
   }
   return mesh;
 }

@@ -372,5 +372,35 @@ TEST(TopologyDefect, IsEmptyForAnEmptyMesh) {
   EXPECT_EQ(topo.node_count(), 3u);
 }
 
+TEST(TopologyLive, RangesSkipDeletedElementsInTheOrderOfTheirIds) {
+  Topology topo = nine_quads();
+  topo.remove_face(FaceId(0));  // a corner: two edges go with it
+  topo.remove_face(FaceId(4));
+  topo.remove_node(n(0));
+  const auto ids = [](const auto& range) {
+    std::vector<std::uint32_t> found;
+    for (const auto id : range) found.push_back(id.value);
+    return found;
+  };
+  EXPECT_EQ(ids(topo.faces()), (std::vector<std::uint32_t>{1, 2, 3, 5, 6, 7, 8}));
+  EXPECT_EQ(ids(topo.nodes()).size(), topo.node_count());
+  EXPECT_EQ(ids(topo.nodes()).front(), 1u);
+  std::vector<std::uint32_t> edges;
+  for (std::size_t i = 0; i < topo.edge_capacity(); ++i)
+    if (topo.is_live(EdgeId(i))) edges.push_back(EdgeId(i).value);
+  EXPECT_LT(edges.size(), topo.edge_capacity());
+  EXPECT_EQ(ids(topo.edges()), edges);
+  EXPECT_TRUE(ids(Topology().faces()).empty());
+}
+
+TEST(TopologyLive, ElementsMayBeRemovedOnTheWay) {
+  Topology topo = nine_quads();
+  for (const FaceId f : topo.faces()) topo.remove_face(f);
+  EXPECT_EQ(topo.face_count(), 0u);
+  EXPECT_EQ(topo.edge_count(), 0u);
+  for (const NodeId v : topo.nodes()) topo.remove_node(v);
+  EXPECT_EQ(topo.node_count(), 0u);
+}
+
 }  // namespace
 }  // namespace quadline

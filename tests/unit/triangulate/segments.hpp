@@ -26,7 +26,7 @@ class Sketch {
   CurveId chain(const std::vector<NodeId>& nodes, int left, int right) {
     const CurveId c =
         domain.curves.push_back({.tail = {}, .head = {}, .piece = {}, .left = cell(left), .right = cell(right)});
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) mesh.segments.push_back({nodes[i], nodes[i + 1], c});
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) mesh.add_segment({nodes[i], nodes[i + 1], c});
     return c;
   }
   CurveId loop(const std::vector<Point>& points, int left, int right) {
@@ -87,7 +87,7 @@ inline int edges_not_delaunay(const WorkMesh& mesh) {
 /// Number of segments that are no edge with their curve.
 inline int segments_missing(const WorkMesh& mesh) {
   int n = 0;
-  for (const Segment& s : mesh.segments) {
+  for (const Segment& s : mesh.segments()) {
     const HalfId h = mesh.topo().find(s.a, s.b);
     n += !h.valid() || mesh.curve(edge_of(h)) != s.curve;
   }

@@ -36,7 +36,7 @@ std::set<test::Triangle> triangles_of_cgal(const WorkMesh& mesh) {
     vertices.push_back(cdt.insert({p.x, p.y}));
     vertices.back()->info() = static_cast<std::uint32_t>(i);
   }
-  for (const Segment& s : mesh.segments) cdt.insert_constraint(vertices[s.a.value], vertices[s.b.value]);
+  for (const Segment& s : mesh.segments()) cdt.insert_constraint(vertices[s.a.value], vertices[s.b.value]);
   std::set<test::Triangle> all;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
     all.insert(test::in_order({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()}));
@@ -65,10 +65,10 @@ Sketch scatter(Random& r, std::size_t n_nodes, std::size_t n_segments, const std
   const CurveId c = s.domain.curves.push_back({});
   for (std::size_t attempt = 0; attempt < 4 * n_segments; ++attempt) {
     const std::size_t a = r.below(n_nodes), b = r.below(n_nodes);
-    bool fits = a != b && s.mesh.segments.size() < n_segments;
-    for (const Segment& other : s.mesh.segments)
+    bool fits = a != b && s.mesh.segments().size() < n_segments;
+    for (const Segment& other : s.mesh.segments())
       fits = fits && !clash(nodes[a], nodes[b], nodes[other.a.value], nodes[other.b.value]);
-    if (fits) s.mesh.segments.push_back({NodeId(a), NodeId(b), c});
+    if (fits) s.mesh.add_segment({NodeId(a), NodeId(b), c});
   }
   return s;
 }
@@ -111,10 +111,10 @@ TEST(TriangulateAgainstCgal, SameTrianglesWhereUnique) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       Random r(seed);
       Sketch s = scatter(r, 20 + 10 * seed, 3 * seed, input.point);
-      const std::size_t wanted = s.mesh.segments.size();
+      const std::size_t wanted = s.mesh.segments().size();
       s.triangulate();
       ASSERT_EQ(defect(s.mesh), "") << input.name << " " << seed;
-      ASSERT_GE(s.mesh.segments.size(), wanted);
+      ASSERT_GE(s.mesh.segments().size(), wanted);
       EXPECT_EQ(test::segments_missing(s.mesh), 0) << input.name << " " << seed;
       EXPECT_EQ(test::edges_not_delaunay(s.mesh), 0) << input.name << " " << seed;
       const auto theirs = triangles_of_cgal(s.mesh);

@@ -88,7 +88,8 @@ TEST(Triangulate, ASegmentGoesThroughANodeThatLiesOnIt) {
   s.triangulate();
   expect_sound(s.mesh);
   EXPECT_EQ(
-      std::count_if(s.mesh.segments.begin(), s.mesh.segments.end(), [&](const Segment& x) { return x.curve == c; }), 3);
+      std::count_if(s.mesh.segments().begin(), s.mesh.segments().end(), [&](const Segment& x) { return x.curve == c; }),
+      3);
 }
 
 TEST(Triangulate, ANodeWithinRoundingOfASegmentStaysBesideIt) {
@@ -99,7 +100,7 @@ TEST(Triangulate, ANodeWithinRoundingOfASegmentStaysBesideIt) {
   s.line({{0.5, 0.5}, {2.5, 2.5}}, 0);
   s.triangulate();
   expect_sound(s.mesh);
-  EXPECT_EQ(s.mesh.segments.size(), 5u);
+  EXPECT_EQ(s.mesh.segments().size(), 5u);
 }
 
 TEST(Triangulate, ALongSegmentCrossesAFanOfSlivers) {
@@ -199,7 +200,7 @@ TEST(Triangulate, AGridIsAllTies) {
   s.chain({id(3, 2), id(27, 25)}, 0, 0);
   s.triangulate();
   expect_sound(s.mesh);
-  EXPECT_GT(s.mesh.segments.size(), 100u);  // the rim goes through its nodes
+  EXPECT_GT(s.mesh.segments().size(), 100u);  // the rim goes through its nodes
   EXPECT_NEAR(areas(s.mesh)[0], 9, 1e-12);
 }
 
