@@ -1,4 +1,5 @@
 """What the docs say of the program, held against it."""
+import json
 import os
 import re
 import sys
@@ -15,6 +16,17 @@ def page(*path):
         return file.read()
 
 
+def keys(item):
+    """All keys in a JSON document."""
+    if isinstance(item, dict):
+        for key, value in item.items():
+            yield key
+            yield from keys(value)
+    elif isinstance(item, list):
+        for value in item:
+            yield from keys(value)
+
+
 class Docs(CommandLine):
     def test_the_command_line_is_described(self):
         told = page("docs", "command-line.md")
@@ -27,6 +39,13 @@ class Docs(CommandLine):
         for name in ("README.md", os.path.join("docs", "command-line.md")):
             for option in re.findall(r"^\| `(--[a-z-]+)", page(name), re.MULTILINE):
                 self.assertIn(option, helps, name)
+
+    def test_every_key_of_the_report_is_described(self):
+        report = self.run_it("mesh", self.plate, "--json", "--criteria", "csr-fine")
+        self.assert_done(report)
+        told = page("docs", "command-line.md")
+        for key in set(keys(json.loads(report.stdout))):
+            self.assertTrue("`%s`" % key in told or '"%s"' % key in told, key)
 
     def test_the_papers_table_is_of_this_program(self):
         for name in paper_table.PAPER:
