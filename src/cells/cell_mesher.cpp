@@ -50,6 +50,7 @@ CellMesher::CellMesher(const Domain& domain, const SizeField& size, const Fallba
       observe_(std::move(observe)),
       parts_(domain.cells.count()),
       raw_(domain.cells.count()),
+      counts_(domain.cells.count()),
       troubles_(domain.cells.count()),
       starts_(domain.cells.count()),
       is_done_(domain.cells.count(), 0) {
@@ -103,7 +104,7 @@ void CellMesher::merge() {
       for (auto& [event, parts] : seen)
         if (event == name) parts[c] = now;
     };
-    merge_to_quads(parts_[c], size_, {.lines = options_.lines}, keep, context);
+    counts_[c] = merge_to_quads(parts_[c], size_, {.lines = options_.lines}, keep, context);
   });
   for (const auto& [event, parts] : seen) observe_(event, joined(parts));
 }
@@ -156,15 +157,16 @@ void CellMesher::try_triangles() {
 // Most models need one attempt, and no memory for a second: the first fills no cache.
 bool CellMesher::take_from_cache(CellId c) {
   if (plan_.is_first()) return false;
-  const WorkMesh* known = cache_.find(c, starts_[c]);
+  const CellCache::Entry* known = cache_.find(c, starts_[c]);
   if (!known) return false;
-  parts_[c] = *known;
+  parts_[c] = known->mesh;
+  counts_[c] = known->counts;
   is_done_[c] = 1;
   return true;
 }
 
 void CellMesher::keep_in_cache(CellId c) {
-  if (!plan_.is_first()) cache_.keep(c, starts_[c], parts_[c]);
+  if (!plan_.is_first()) cache_.keep(c, {starts_[c], parts_[c], counts_[c]});
 }
 
 // In small cells different triangles often give the same quads, which need not be cleaned up again.
@@ -175,13 +177,14 @@ void CellMesher::try_triangles_of(CellId c, Context& context) {
     try {
       WorkMesh other = triangulated(c, part);
       insert_field_points(other, other_sizes_[i], kRetries[i].triangles, part);
-      merge_to_quads(other, size_, {.lines = options_.lines}, {}, part);
+      const MorphCounts counts = merge_to_quads(other, size_, {.lines = options_.lines}, {}, part);
       const std::uint64_t start = fingerprint(other);
       if (std::find(seen.begin(), seen.end(), start) != seen.end()) continue;
       seen.push_back(start);
       quadline::clean_up(other, size_, templates_, part);
       if (!troubles_[c] && cell_cost(other) >= cell_cost(parts_[c])) continue;
       parts_[c] = std::move(other);
+      counts_[c] = counts;
       troubles_[c].reset();
     } catch (const InternalError&) {
       continue;  // what is there stays
@@ -233,10 +236,17 @@ void CellMesher::note(CellId c, const InternalError& error) {
   const Domain::Curve& curve = domain_.curves[domain_.cells[c].walks[0][0].curve];
   troubles_[c] = {c, error.what(), error.where().point.value_or(curve.piece.a)};
   parts_[c] = WorkMesh();
+  counts_[c] = {};
 }
 
 void CellMesher::observe(std::string_view name) const {
   if (observe_) observe_(name, mesh());
+}
+
+MorphCounts CellMesher::morph_counts() const {
+  MorphCounts sum;
+  for (const MorphCounts& counts : counts_) sum += counts;
+  return sum;
 }
 
 // The work of a cell: its faces, or before there are any, its segments.

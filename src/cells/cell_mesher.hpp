@@ -50,6 +50,8 @@ class CellMesher {
   const CellSet& fallen_back() const { return fallen_back_; }
   /// Cells where a stage failed, in their order.
   std::vector<Trouble> troubles() const;
+  /// What Q-Morph did in the cells that it meshed, with the triangles that were kept.
+  MorphCounts morph_counts() const;
   /// The mesh of all cells that are not in trouble.
   WorkMesh mesh() const { return joined(parts_); }
   /// The same, for the last time where no cell has fallen back: the parts' memory goes.
@@ -86,6 +88,7 @@ class CellMesher {
   std::optional<CellNodes> of_whole_, of_halved_;
   IdVector<CellId, WorkMesh> parts_;
   IdVector<CellId, WorkMesh> raw_;  ///< of the cells that have fallen back, before clean-up
+  IdVector<CellId, MorphCounts> counts_;
   IdVector<CellId, std::optional<Trouble>> troubles_;
   IdVector<CellId, std::uint64_t> starts_;  ///< fingerprints before clean-up
   IdVector<CellId, std::uint8_t> is_done_;  ///< taken from the cache

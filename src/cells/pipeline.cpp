@@ -44,6 +44,7 @@ class Pipeline {
     const std::size_t n_given = note_raw(cells);
     cells.clean_up();
     if (options_.method == Method::QMorph) cells.try_triangles();
+    report_.qmorph = cells.morph_counts();
     const WorkMesh mesh = finished(cells, size, n_given);
     if (std::vector<Trouble> troubles = cells.troubles(); !troubles.empty()) return failed(std::move(troubles));
     return judged(mesh, size);

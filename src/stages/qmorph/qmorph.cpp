@@ -10,6 +10,7 @@
 namespace quadline {
 
 Morph::Morph(WorkMesh& mesh, const SizeField& size) : mesh_(mesh), size_(size) {
+  counts_.n_triangles = mesh.topo().face_count();
   insertions_ = mesh.topo().node_count() / 4 + 64;
   const Topology& topo = mesh.topo();
   for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
@@ -72,7 +73,7 @@ class Driver {
     push_all();
   }
 
-  void run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+  MorphCounts run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
     const std::size_t n_start = mesh_.topo().face_count();
     StepLimit limit("the front", options_.steps_per_triangle * n_start);
     bool first_layer = true, half_way = true;
@@ -92,6 +93,7 @@ class Driver {
       }
     }
     morph_.complete();
+    return morph_.counts();
   }
 
  private:
@@ -190,11 +192,12 @@ class Driver {
 
 }  // namespace
 
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
-                    const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+MorphCounts merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
+                           const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
-  Driver(mesh, size, options).run(observe, context);
+  const MorphCounts counts = Driver(mesh, size, options).run(observe, context);
   mesh.sort_in_space();
+  return counts;
 }
 
 }  // namespace quadline
