@@ -28,29 +28,27 @@ namespace {
 
 class Driver {
  public:
-  Driver(WorkMesh& mesh, const SizeField& size, const FrontOptions& options)
-      : mesh_(mesh), options_(options), morph_(mesh, size), queue_(morph_) {
+  using Observe = std::function<void(std::string_view, const WorkMesh&)>;
+
+  Driver(WorkMesh& mesh, const SizeField& size, const FrontOptions& options, const Observe& observe)
+      : mesh_(mesh), options_(options), observe_(observe), morph_(mesh, size), queue_(morph_) {
     if (options.lines == LineFronts::OneSided) asleep_.emplace(mesh);
     push_all();
   }
 
-  MorphCounts run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+  MorphCounts run(Context& context) {
     const std::size_t n_start = mesh_.topo().face_count();
     StepLimit limit("the front", options_.steps_per_triangle * n_start);
-    bool first_layer = true, half_way = true;
+    bool half_way = true;
     while (next_step()) {
       limit.step();
       if (limit.steps() % 1024 == 0) {
         context.progress("qmorph", 1 - static_cast<double>(2 * mesh_.topo().face_count() - n_start) /
                                            static_cast<double>(n_start + 1));
       }
-      if (first_layer && base_level_ > 0) {
-        first_layer = false;
-        if (observe) observe("first-layer", mesh_);
-      }
       if (half_way && 4 * mesh_.topo().face_count() < 3 * n_start) {
         half_way = false;
-        if (observe) observe("half-way", mesh_);
+        if (observe_) observe_("half-way", mesh_);
       }
     }
     morph_.complete();
@@ -64,7 +62,10 @@ class Driver {
     const HalfId base = queue_.pop();
     if (!base.valid()) return retry();
     if (!mesh_.topo().is_live(edge_of(base)) || !is_front(mesh_, base)) return true;
-    base_level_ = std::max(base_level_, morph_.level(edge_of(base)));
+    if (is_first_layer_ && morph_.level(edge_of(base)) > 0) {
+      is_first_layer_ = false;
+      if (observe_) observe_("first-layer", mesh_);
+    }
     if (!step(base)) {
       waiting_.push_back(base);
       return true;
@@ -140,12 +141,13 @@ class Driver {
   static constexpr int kMostRetries = 8;
   WorkMesh& mesh_;
   const FrontOptions& options_;
+  const Observe& observe_;
   Morph morph_;
   FrontQueue queue_;
   std::optional<SleepingSides> asleep_;  // where fronts are one-sided
   std::vector<HalfId> waiting_, pushed_;
-  bool progress_ = false;
-  int retries_ = 0, base_level_ = 0;
+  bool is_first_layer_ = true, progress_ = false;
+  int retries_ = 0;
 };
 
 }  // namespace
@@ -153,7 +155,7 @@ class Driver {
 MorphCounts merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
                            const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
-  const MorphCounts counts = Driver(mesh, size, options).run(observe, context);
+  const MorphCounts counts = Driver(mesh, size, options, observe).run(context);
   mesh.sort_in_space();
   return counts;
 }
