@@ -39,6 +39,7 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
   if (attempt.too_many = limit.refuse_at_least(nodes.least_quads()); !attempt.too_many.empty()) return attempt;
 
   CellMeshes cells(plan, nodes, size, cache, clock, context);  // mesh_cell for each
+  result.report.qmorph = cells.morph_counts();
   result.report.before_smoothing =
       clock.run("measure", context, [&] { return measure(flatten(cells.take_raw(), domain)); });
   WorkMesh mesh;

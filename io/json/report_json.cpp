@@ -45,6 +45,37 @@ Json stages_of(const Run& run) {
   return out;
 }
 
+Json json_of(const MorphCounts& counts) {
+  Json states;
+  std::size_t n_quads = 0;
+  for (std::size_t tail = 0; tail < counts.quads.size(); ++tail)
+    for (std::size_t head = 0; head < counts.quads[tail].size(); ++head) {
+      n_quads += counts.quads[tail][head];
+      states[std::to_string(tail) + '-' + std::to_string(head)] = counts.quads[tail][head];
+    }
+  return {{"triangles", counts.n_triangles},
+          {"steps", n_quads},
+          {"states", states},
+          {"side_edges",
+           {{"neighbour", counts.side_neighbour},
+            {"chosen", counts.side_chosen},
+            {"swapped", counts.side_swapped},
+            {"split_for_parity", counts.side_split_parity},
+            {"split_for_length", counts.side_split_length},
+            {"split_for_direction", counts.side_split_direction}}},
+          {"top_edges", {{"found", counts.top_found}, {"swapped", counts.top_swapped}}},
+          {"seams", counts.seams},
+          {"transition_seams", counts.transition_seams},
+          {"transition_splits", counts.transition_splits},
+          {"closures",
+           {{"of_4", counts.closures_of_4},
+            {"of_6_by_2", counts.closures_of_6_by_2},
+            {"of_6_by_3", counts.closures_of_6_by_3}}},
+          {"completion", {{"triangles", counts.completion_triangles}, {"quads", counts.completion_quads}}},
+          {"refused",
+           {{"side_edge", counts.refused_side}, {"top_edge", counts.refused_top}, {"shape", counts.refused_shape}}}};
+}
+
 }  // namespace
 
 Json json_of(Point p) { return {p.x, p.y}; }
@@ -175,6 +206,7 @@ std::string report_json(const Run& run) {
               {"corners", json_of(report.corners, report.quality)},
               {"worst", json_of(report.worst)},
               {"lines", json_of(report.lines)},
+              {"qmorph", json_of(report.qmorph)},
               {"stages", stages_of(run)},
               {"seconds", run.elapsed_s},
               {"peak_memory_bytes", peak},

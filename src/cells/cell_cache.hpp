@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mesh/work_mesh.hpp"
+#include "quadline/report.hpp"
 
 namespace quadline {
 
@@ -17,17 +18,18 @@ class CellCache {
  public:
   explicit CellCache(std::size_t n_cells) : entries_(n_cells) {}
 
-  /// What became of the cell when it began like that; null: not known.
-  const WorkMesh* find(CellId c, std::uint64_t start) const {
-    return entries_[c] && entries_[c]->start == start ? &entries_[c]->mesh : nullptr;
-  }
-  void keep(CellId c, std::uint64_t start, const WorkMesh& mesh) { entries_[c] = Entry{start, mesh}; }
-
- private:
   struct Entry {
     std::uint64_t start;
     WorkMesh mesh;
+    MorphCounts counts;
   };
+  /// What became of the cell when it began like that; null: not known.
+  const Entry* find(CellId c, std::uint64_t start) const {
+    return entries_[c] && entries_[c]->start == start ? &*entries_[c] : nullptr;
+  }
+  void keep(CellId c, const Entry& entry) { entries_[c] = entry; }
+
+ private:
   IdVector<CellId, std::optional<Entry>> entries_;
 };
 

@@ -90,7 +90,7 @@ void CellMeshes::mesh(const CellSet& cells) {
 void CellMeshes::keep_in_cache(CellId c) {
   const CellResult& result = results_[c];
   if (plan_.is_first() || result.trouble || result.is_cached || !recipes_[c].kept_places.empty()) return;
-  cache_.keep(c, result.start, result.mesh);
+  cache_.keep(c, {result.start, result.mesh, result.counts});
 }
 
 // A cell that a stage does not reach is shown as it was before.
@@ -119,6 +119,12 @@ std::vector<Trouble> CellMeshes::troubles() const {
   for (const CellResult& result : results_)
     if (result.trouble) found.push_back(*result.trouble);
   return found;
+}
+
+MorphCounts CellMeshes::morph_counts() const {
+  MorphCounts sum;
+  for (const CellResult& result : results_) sum += result.counts;
+  return sum;
 }
 
 WorkMesh CellMeshes::take_raw() {

@@ -11,6 +11,7 @@
 #include "domain/cell_set.hpp"
 #include "domain/size/size_field.hpp"
 #include "quadline/context.hpp"
+#include "quadline/report.hpp"
 
 namespace quadline {
 
@@ -26,6 +27,8 @@ class CellMeshes {
 
   /// Cells without a mesh, in their order.
   std::vector<Trouble> troubles() const;
+  /// What Q-Morph did in the cells that it meshed.
+  MorphCounts morph_counts() const;
   /// All cells as Q-Morph or halving left them, before clean-up. Once: their memory goes.
   WorkMesh take_raw();
   /// All cells together. Their memory goes, where `mesh_spoiled_again` will have nothing to do.

@@ -59,10 +59,11 @@ class CellMesher {
   void first_try() {
     const Context part = part_of(context_, 0, kCleaned);
     const Spaced spaced{recipe_.triangles, recipe_.method == Method::QMorph ? 1 : kHalvedSpacing};
-    result_.raw = merged(spaced, clock_, part, input_.wants_snapshots);
+    result_.raw = merged(spaced, result_.counts, clock_, part, input_.wants_snapshots);
     result_.start = fingerprint(result_.raw);
-    if (const WorkMesh* known = find_known()) {
-      result_.mesh = *known;
+    if (const CellCache::Entry* known = find_known()) {
+      result_.mesh = known->mesh;
+      result_.counts = known->counts;
       result_.is_cached = true;
       return;
     }
@@ -81,13 +82,15 @@ class CellMesher {
       const Context part = part_of(context_, from, from + share);
       StageClock clock;  // all retries are one stage
       try {
-        WorkMesh other = merged({kRetries[i].triangles, kRetries[i].spacing}, clock, part, false);
+        MorphCounts counts;
+        WorkMesh other = merged({kRetries[i].triangles, kRetries[i].spacing}, counts, clock, part, false);
         const std::uint64_t start = fingerprint(other);
         if (std::find(seen.begin(), seen.end(), start) != seen.end()) continue;
         seen.push_back(start);
         clean(other, clock, part);
         if (!result_.trouble && cell_cost(other) >= cell_cost(result_.mesh)) continue;
         result_.mesh = std::move(other);
+        result_.counts = counts;
         result_.trouble.reset();
       } catch (const InternalError&) {
         continue;  // what is there stays
@@ -99,7 +102,7 @@ class CellMesher {
   using Spaced = Retry;
 
   // From nodes to quads, before clean-up.
-  WorkMesh merged(const Spaced& spaced, StageClock& clock, const Context& context, bool seen) {
+  WorkMesh merged(const Spaced& spaced, MorphCounts& counts, StageClock& clock, const Context& context, bool seen) {
     WorkMesh mesh = input_.nodes.of(input_.cell);
     run(clock, "triangulate", context, 0, kTriangulated, [&](Context& own) {
       triangulate(mesh, input_.domain, own);
@@ -110,7 +113,7 @@ class CellMesher {
         [&](Context& own) { insert_field_points(mesh, input_.sizes.at(spaced.spacing), spaced.triangles, own); });
     if (seen) keep("field-points", mesh);
     if (recipe_.method == Method::QMorph) {
-      morph(mesh, clock, context, seen);
+      counts = morph(mesh, clock, context, seen);
     } else {
       halve_all(mesh, clock, context, seen);
     }
@@ -120,15 +123,18 @@ class CellMesher {
     return mesh;
   }
 
-  void morph(WorkMesh& mesh, StageClock& clock, const Context& context, bool seen) {
+  MorphCounts morph(WorkMesh& mesh, StageClock& clock, const Context& context, bool seen) {
     std::function<void(std::string_view, const WorkMesh&)> observe;
     if (seen) {
       keep("first-layer", mesh);  // a small cell may never come so far
       keep("half-way", mesh);
       observe = [&](std::string_view name, const WorkMesh& now) { keep(name, now); };
     }
-    run(clock, "qmorph", context, kFilled, kMerged,
-        [&](Context& own) { merge_to_quads(mesh, input_.sizes.at(1), {.lines = recipe_.lines}, observe, own); });
+    MorphCounts counts;
+    run(clock, "qmorph", context, kFilled, kMerged, [&](Context& own) {
+      counts = merge_to_quads(mesh, input_.sizes.at(1), {.lines = recipe_.lines}, observe, own);
+    });
+    return counts;
   }
 
   void halve_all(WorkMesh& mesh, StageClock& clock, const Context& context, bool seen) {
@@ -151,7 +157,7 @@ class CellMesher {
   }
 
   // What is kept near places is no part of the fingerprint.
-  const WorkMesh* find_known() const {
+  const CellCache::Entry* find_known() const {
     if (!input_.cache || !recipe_.kept_places.empty()) return nullptr;
     return input_.cache->find(input_.cell, result_.start);
   }
@@ -160,6 +166,7 @@ class CellMesher {
     const Domain::Curve& curve = input_.domain.curves[input_.domain.cells[input_.cell].walks[0][0].curve];
     result_.trouble = {input_.cell, error.what(), error.where().point.value_or(curve.piece.a)};
     result_.mesh = WorkMesh();
+    result_.counts = {};
   }
 
   void keep(std::string_view name, const WorkMesh& mesh) {

@@ -57,6 +57,7 @@ inline constexpr std::array<std::string_view, 6> kCellSnapshots = {
 struct CellResult {
   WorkMesh mesh;                        ///< clean quads; empty where there is `trouble`
   WorkMesh raw;                         ///< of the first try, as Q-Morph or halving left them; empty where it failed
+  MorphCounts counts;                   ///< of Q-Morph, in the try whose quads became `mesh`
   std::uint64_t start = 0;              ///< fingerprint of `raw`
   bool is_cached = false;               ///< `mesh` was taken from the cache
   std::vector<StageTime> times;         ///< of its stages, in their order

@@ -238,6 +238,12 @@ class Mesh(CommandLine):
         checked = json.loads(self.run_it("check", self.path("a.vtu"), "--model", self.plate, "--json").stdout)
         self.assertEqual(checked["quality"], report["quality"]["after_smoothing"])  # by the same sizes
         self.assertNotIn("edge_to_size", json.loads(self.run_it("check", self.path("a.vtu"), "--json").stdout)["quality"])
+        counts = report["qmorph"]  # every quad of the normal step has two side edges and a top edge
+        self.assertGreater(counts["steps"], 0)
+        self.assertEqual(counts["steps"], sum(counts["states"].values()))
+        self.assertEqual(2 * counts["steps"], sum(counts["side_edges"].values()))
+        self.assertEqual(counts["steps"], sum(counts["top_edges"].values()))
+        self.assertEqual(counts["completion"]["triangles"], 0)
         stages = [stage["stage"] for stage in report["stages"]]
         self.assertEqual([stages[0], stages[-1]], ["read", "write"])
         self.assertIn("qmorph", stages)

@@ -93,6 +93,9 @@ bool Morph::close_loop(HalfId base) {
       polygons.push_back({node(c[0]), node(c[1]), node(c[2]), node(c[3])});
     }
   }
+  ++(loop.size() == 4       ? counts_.closures_of_4
+     : polygons.size() == 2 ? counts_.closures_of_6_by_2
+                            : counts_.closures_of_6_by_3);
   put_quads(inside, polygons, level(edge_of(base)) + 1);
   touched_ = loop;
   smooth_around(loop);

@@ -171,7 +171,11 @@ void Morph::complete() {
   completion.choose();
   std::vector<std::pair<std::vector<FaceId>, std::vector<Polygon>>> clusters;
   completion.realize([&](auto& cluster, auto& quads) { clusters.emplace_back(cluster, quads); });
-  for (const auto& [cluster, quads] : clusters) put_quads(cluster, quads, 0);
+  counts_.completion_triangles += triangles.size();
+  for (const auto& [cluster, quads] : clusters) {
+    counts_.completion_quads += quads.size();
+    put_quads(cluster, quads, 0);
+  }
 }
 
 }  // namespace quadline

@@ -1,9 +1,7 @@
 // The normal step of Q-Morph [Owen1999]: base edge, two side edges, top edge; what they enclose becomes a quad.
 #include <algorithm>
-#include <array>
 #include <numbers>
 
-#include "geom/predicates.hpp"
 #include "stages/qmorph/morph.hpp"
 
 namespace quadline {
@@ -19,29 +17,37 @@ bool Morph::form_quad(HalfId base) {
   const Topology& topo = mesh_.topo();
   const NodeId a = topo.tail(base), b = topo.head(base);
   const std::size_t mark = parity_.mark();
-  const auto refuse = [&] {
+  const MorphCounts counts = counts_;
+  const auto refuse = [&](std::size_t MorphCounts::* reason) {
     parity_.rollback(mark);
+    counts_ = counts;
+    ++(counts_.*reason);
     held_ = EdgeId();
     return false;
   };
   held_ = EdgeId();
-  const NodeId left = side_edge(corner_before(mesh_, base), End::Tail);
-  if (!left.valid() || left == b || !parity_.tie(a, left, true)) return refuse();
+  const Corner at_tail = corner_before(mesh_, base);
+  const NodeId left = side_edge(at_tail, End::Tail);
+  if (!left.valid() || left == b || !parity_.tie(a, left, true)) return refuse(&MorphCounts::refused_side);
   held_ = edge_of(topo.find(a, left));
-  const NodeId right = side_edge(corner_after(mesh_, base), End::Head);
-  if (!right.valid() || right == a || right == left || !parity_.tie(b, right, true)) return refuse();
-  if (!parity_.tie(left, right, true)) return refuse();
+  const Corner at_head = corner_after(mesh_, base);
+  const NodeId right = side_edge(at_head, End::Head);
+  if (!right.valid() || right == a || right == left || !parity_.tie(b, right, true))
+    return refuse(&MorphCounts::refused_side);
+  if (!parity_.tie(left, right, true)) return refuse(&MorphCounts::refused_top);
 
+  ++(topo.find(right, left).valid() ? counts_.top_found : counts_.top_swapped);
   const HalfId top = recover_edge(right, left);
-  if (!top.valid()) return refuse();
+  if (!top.valid()) return refuse(&MorphCounts::refused_top);
   const HalfId left_side = topo.find(left, a), right_side = topo.find(b, right);
-  if (!left_side.valid() || !right_side.valid()) return refuse();
+  if (!left_side.valid() || !right_side.valid()) return refuse(&MorphCounts::refused_shape);
   std::vector<FaceId> inside;
   if (!enclosed_triangles(base, {edge_of(base), edge_of(right_side), edge_of(top), edge_of(left_side)}, inside))
-    return refuse();
+    return refuse(&MorphCounts::refused_shape);
   const Polygon quad(a, b, right, left);
-  if (!is_good_enough(quad)) return refuse();
+  if (!is_good_enough(quad)) return refuse(&MorphCounts::refused_shape);
 
+  ++counts_.quads[static_cast<std::size_t>(at_tail.state)][static_cast<std::size_t>(at_head.state)];
   held_ = EdgeId();
   put_quads(inside, {quad}, level(edge_of(base)) + 1);
   touched_ = {a, b, right, left};
@@ -77,17 +83,12 @@ bool Morph::enclosed_triangles(HalfId start, const std::vector<EdgeId>& rim, std
   return std::all_of(nodes.begin(), nodes.end(), [&](NodeId v) { return mesh_.is_free(v) && !is_attached(mesh_, v); });
 }
 
-// One reflex corner may be: smoothing opens it, but not at a node that stays.
+// What valid triangles fill has no more than one reflex corner, and smoothing opens that, but not at a node that stays.
 bool Morph::is_good_enough(const Polygon& quad) const {
-  std::array<Point, 4> p;
-  for (int i = 0; i < 4; ++i) p[i] = mesh_.point(quad.nodes[i]);
-  int reflex = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Point previous = p[(i + 3) % 4], next = p[(i + 1) % 4];
-    if (orientation(previous, p[i], next) <= 0) ++reflex;
-    if (!mesh_.is_free(quad.nodes[i]) && corner_angle(previous, p[i], next) > kWidestFixed) return false;
-  }
-  return reflex <= 1 && cross(p[2] - p[0], p[3] - p[1]) > 0;
+  const auto p = [&](int i) { return mesh_.point(quad.nodes[i % 4]); };
+  for (int i = 0; i < 4; ++i)
+    if (!mesh_.is_free(quad.nodes[i]) && corner_angle(p(i + 3), p(i), p(i + 1)) > kWidestFixed) return false;
+  return true;
 }
 
 void Morph::put_quads(const std::vector<FaceId>& cavity, const std::vector<Polygon>& quads, int level) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "domain/size/size_field.hpp"
+#include "quadline/report.hpp"
 #include "stages/qmorph/front.hpp"
 #include "stages/qmorph/parity.hpp"
 
@@ -20,7 +21,10 @@ class Morph {
   /// Nodes whose corners the last successful step changed.
   const std::vector<NodeId>& touched() const { return touched_; }
   /// Layers of quads between a front edge and where the front began.
+  const MorphCounts& counts() const { return counts_; }
   int level(EdgeId e) const { return e.value < level_.count() ? level_[e] : 0; }
+
+  void set_level(EdgeId e, int level);
 
   // Steps; false: refused
   bool close_loop(HalfId base);           // closure.cpp: a loop of four or six edges
@@ -48,7 +52,6 @@ class Morph {
   bool enclosed_triangles(HalfId start, const std::vector<EdgeId>& rim, std::vector<FaceId>& inside) const;
   bool is_good_enough(const Polygon& quad) const;
   void put_quads(const std::vector<FaceId>& cavity, const std::vector<Polygon>& quads, int level);
-  void set_level(EdgeId e, int level);
   NodeId add_free_node(HalfId split, Point p);
 
   // local_smoothing.cpp
@@ -68,6 +71,7 @@ class Morph {
   IdVector<NodeId, std::uint8_t> transition_;  // nodes made by a transition: their quads are not split again
   EdgeId held_;                                // a side edge that the rest of the step must not swap or split
   std::size_t insertions_;                     // nodes that may still be inserted: so the front ends for certain
+  MorphCounts counts_;
   std::vector<NodeId> touched_;
   std::vector<EdgeId> suspects_;
 };

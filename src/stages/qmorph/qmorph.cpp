@@ -2,14 +2,17 @@
 #include "stages/qmorph/qmorph.hpp"
 
 #include <algorithm>
-#include <queue>
+#include <optional>
 
 #include "base/step_limit.hpp"
+#include "stages/qmorph/front_queue.hpp"
 #include "stages/qmorph/morph.hpp"
+#include "stages/qmorph/sleeping_sides.hpp"
 
 namespace quadline {
 
 Morph::Morph(WorkMesh& mesh, const SizeField& size) : mesh_(mesh), size_(size) {
+  counts_.n_triangles = mesh.topo().face_count();
   insertions_ = mesh.topo().node_count() / 4 + 64;
   const Topology& topo = mesh.topo();
   for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
@@ -23,75 +26,33 @@ Morph::Morph(WorkMesh& mesh, const SizeField& size) : mesh_(mesh), size_(size) {
 
 namespace {
 
-/// Front edges in the order in which they become base edges; entries that a later push has replaced are skipped.
-class FrontQueue {
- public:
-  explicit FrontQueue(const Morph& morph) : morph_(morph) {}
-
-  void push(HalfId h) {
-    const WorkMesh& mesh = morph_.mesh();
-    const Corner before = corner_before(mesh, h), after = corner_after(mesh, h);
-    const int closed = (before.state == State::Closed) + (after.state == State::Closed);
-    const bool seam = before.quads == 0 || after.quads == 0;
-    version_.grow(h.value + std::size_t{1}, 0);
-    heap_.push({morph_.level(edge_of(h)), seam ? 0 : 3 - closed, mesh.edge_length(edge_of(h)), h, ++version_[h]});
-  }
-  /// The next base edge; invalid when there is none.
-  HalfId pop() {
-    while (!heap_.empty()) {
-      const Entry e = heap_.top();
-      heap_.pop();
-      if (e.version == version_[e.half]) return e.half;
-    }
-    return {};
-  }
-
- private:
-  struct Entry {
-    int level, rank;
-    double length;
-    HalfId half;
-    std::uint32_t version;
-    bool operator<(const Entry& o) const {  // the heap gives its largest: the entry that should go first
-      if (level != o.level) return level > o.level;
-      if (rank != o.rank) return rank > o.rank;
-      if (length != o.length) return length > o.length;
-      return half > o.half;
-    }
-  };
-  const Morph& morph_;
-  std::priority_queue<Entry> heap_;
-  IdVector<HalfId, std::uint32_t> version_;
-};
-
 class Driver {
  public:
-  Driver(WorkMesh& mesh, const SizeField& size, const FrontOptions& options)
-      : mesh_(mesh), options_(options), morph_(mesh, size), queue_(morph_) {
-    if (options.lines == LineFronts::OneSided) find_dormant();
+  using Observe = std::function<void(std::string_view, const WorkMesh&)>;
+
+  Driver(WorkMesh& mesh, const SizeField& size, const FrontOptions& options, const Observe& observe)
+      : mesh_(mesh), options_(options), observe_(observe), morph_(mesh, size), queue_(morph_) {
+    if (options.lines == LineFronts::OneSided) asleep_.emplace(mesh);
     push_all();
   }
 
-  void run(const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+  MorphCounts run(Context& context) {
     const std::size_t n_start = mesh_.topo().face_count();
     StepLimit limit("the front", options_.steps_per_triangle * n_start);
-    bool first_layer = true, half_way = true;
+    bool half_way = true;
     while (next_step()) {
       limit.step();
       if (limit.steps() % 1024 == 0) {
         context.progress("qmorph", 1 - static_cast<double>(2 * mesh_.topo().face_count() - n_start) /
                                            static_cast<double>(n_start + 1));
       }
-      if (first_layer && base_level_ > 0) {
-        first_layer = false;
-        if (observe) observe("first-layer", mesh_);
-      }
       if (half_way && 4 * mesh_.topo().face_count() < 3 * n_start) {
         half_way = false;
-        if (observe) observe("half-way", mesh_);
+        if (observe_) observe_("half-way", mesh_);
       }
     }
     morph_.complete();
+    return morph_.counts();
   }
 
  private:
@@ -100,8 +61,11 @@ class Driver {
   bool next_step() {
     const HalfId base = queue_.pop();
     if (!base.valid()) return retry();
-    if (!mesh_.topo().is_live(edge_of(base)) || !is_front(mesh_, base) || is_dormant(base)) return true;
-    base_level_ = std::max(base_level_, morph_.level(edge_of(base)));
+    if (!mesh_.topo().is_live(edge_of(base)) || !is_front(mesh_, base)) return true;
+    if (is_first_layer_ && morph_.level(edge_of(base)) > 0) {
+      is_first_layer_ = false;
+      if (observe_) observe_("first-layer", mesh_);
+    }
     if (!step(base)) {
       waiting_.push_back(base);
       return true;
@@ -122,16 +86,14 @@ class Driver {
   }
 
   bool retry() {
-    if (progress_ && retries_ < kMostRetries) {
-      progress_ = false;
-      ++retries_;
-    } else if (!dormant_.empty()) {
-      dormant_.clear();  // nothing else can be chosen: the second sides of lines wake up
-      push_all();
+    if (asleep_) {  // nothing else can be chosen: the second sides of lines wake up
+      wake(asleep_->wake_all());
+      asleep_.reset();
       return true;
-    } else {
-      return false;
     }
+    if (!progress_ || retries_ == kMostRetries) return false;
+    progress_ = false;
+    ++retries_;
     for (const HalfId h : waiting_)
       if (mesh_.topo().is_live(edge_of(h)) && is_front(mesh_, h)) queue_.push(h);
     waiting_.clear();
@@ -142,6 +104,7 @@ class Driver {
     const Topology& topo = mesh_.topo();
     pushed_.clear();
     const auto push = [&](HalfId h) {
+      if (is_asleep(h)) return wake(asleep_->wake_if_due(h));
       if (!is_front(mesh_, h) || std::find(pushed_.begin(), pushed_.end(), h) != pushed_.end()) return;
       pushed_.push_back(h);
       queue_.push(h);
@@ -160,41 +123,41 @@ class Driver {
     for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
       if (!topo.is_live(EdgeId(i))) continue;
       for (int side = 0; side < 2; ++side)
-        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_dormant(h)) queue_.push(h);
+        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_asleep(h)) queue_.push(h);
     }
   }
 
-  // [Lee2003]: a line's front starts on one fixed side, its left. The other side sleeps until that side is meshed.
-  void find_dormant() {
-    const Topology& topo = mesh_.topo();
-    dormant_.assign(2 * topo.edge_capacity(), 0);
-    for (const Segment& s : mesh_.segments()) {
-      const HalfId h = topo.find(s.a, s.b);
-      if (h.valid() && !mesh_.is_boundary(edge_of(h))) dormant_[twin(h)] = 1;
+  bool is_asleep(HalfId h) const { return asleep_ && asleep_->contains(h); }
+
+  // The second side of a line joins the loop that the quads on the first have closed round it, at their level.
+  void wake(const std::vector<HalfId>& side) {
+    for (const HalfId h : side) {
+      if (!is_front(mesh_, h)) continue;
+      morph_.set_level(edge_of(h), 1);
+      queue_.push(h);
     }
-  }
-  bool is_dormant(HalfId h) const {
-    return h.value < dormant_.count() && dormant_[h] != 0 && mesh_.is_constraint(h) && mesh_.is_triangle(twin(h));
   }
 
   static constexpr int kMostRetries = 8;
   WorkMesh& mesh_;
   const FrontOptions& options_;
+  const Observe& observe_;
   Morph morph_;
   FrontQueue queue_;
-  IdVector<HalfId, std::uint8_t> dormant_;
+  std::optional<SleepingSides> asleep_;  // where fronts are one-sided
   std::vector<HalfId> waiting_, pushed_;
-  bool progress_ = false;
-  int retries_ = 0, base_level_ = 0;
+  bool is_first_layer_ = true, progress_ = false;
+  int retries_ = 0;
 };
 
 }  // namespace
 
-void merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
-                    const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
+MorphCounts merge_to_quads(WorkMesh& mesh, const SizeField& size, const FrontOptions& options,
+                           const std::function<void(std::string_view, const WorkMesh&)>& observe, Context& context) {
   context.progress("qmorph", 0);
-  Driver(mesh, size, options).run(observe, context);
+  const MorphCounts counts = Driver(mesh, size, options, observe).run(context);
   mesh.sort_in_space();
+  return counts;
 }
 
 }  // namespace quadline

@@ -95,6 +95,7 @@ bool Morph::seam(const Corner& corner) {
   }
   if (best <= -0.1 || !parity_.tie(gone, stays, false)) return false;
 
+  ++counts_.seams;
   std::vector<std::pair<NodeId, int>> levels;
   topo.for_each_out(gone, [&](HalfId h) { levels.push_back({topo.head(h), level(edge_of(h))}); });
   std::vector<FaceId> made;

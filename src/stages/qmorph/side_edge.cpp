@@ -31,7 +31,10 @@ NodeId Morph::side_edge(const Corner& corner, End end) {
   const Topology& topo = mesh_.topo();
   const NodeId foot = end == End::Tail ? topo.head(corner.out) : topo.tail(corner.in);
   const NodeId neighbour = end == End::Tail ? topo.tail(corner.in) : topo.head(corner.out);
-  if (corner.quads <= 1) return neighbour;
+  if (corner.quads <= 1) {
+    ++counts_.side_neighbour;
+    return neighbour;
+  }
 
   const Point k = mesh_.point(corner.node);
   const double turn = corner.angle / corner.quads;
@@ -66,6 +69,7 @@ NodeId Morph::reuse_edge(const Corner& corner, Point direction, double widest, N
   double best = std::cos(widest);
   double best_split = std::cos(widest);
   HalfId found, to_split;
+  bool would_be_odd = false;  // the edge to split, if taken whole
   for (HalfId h = topo.rotate_ccw(corner.out); h != twin(corner.in) && h != corner.out; h = topo.rotate_ccw(h)) {
     const NodeId v = topo.head(h);
     if (v == foot || is_held(edge_of(h))) continue;
@@ -83,12 +87,18 @@ NodeId Morph::reuse_edge(const Corner& corner, Point direction, double widest, N
     } else if (close > best_split) {
       best_split = close;
       to_split = h;
+      would_be_odd = !even;
     }
   }
   if (to_split.valid() && best_split > best) {
-    if (const NodeId v = shorten_edge(to_split); v.valid()) return v;
+    if (const NodeId v = shorten_edge(to_split); v.valid()) {
+      ++(would_be_odd ? counts_.side_split_parity : counts_.side_split_length);
+      return v;
+    }
   }
-  return found.valid() ? topo.head(found) : NodeId();
+  if (!found.valid()) return {};
+  ++counts_.side_chosen;
+  return topo.head(found);
 }
 
 // The paper's rule for odd loops: the side edge is split, and the new node is free. Also for edges much too long.
@@ -112,6 +122,7 @@ NodeId Morph::swap_for_edge(const Corner& corner, HalfId cut, Point direction, d
   parity_.rollback(mark);
   if (!even) return {};
   mesh_.swap_edge(edge_of(cut));
+  ++counts_.side_swapped;
   return v;
 }
 
@@ -125,6 +136,7 @@ NodeId Morph::split_for_edge(const Corner& corner, HalfId cut, Point direction) 
   const double h = size_at(k);
   if (distance(k, p) < kShortest * h) return {};
   const NodeId v = add_free_node(cut, p);
+  ++counts_.side_split_direction;
   if (distance(k, p) > 1.3 * h) try_move(v, k + (h / norm(direction)) * direction);
   return v;
 }

@@ -51,6 +51,7 @@ bool Morph::transition(const Corner& corner) {
     polygons.push_back(turned({b, m, c, d}, mirrored));
     polygons.push_back(turned({m, k, c}, mirrored));
     parity_.tie(m, k, false);
+    ++counts_.transition_seams;
   } else {  // transition split
     const NodeId p = mesh_.add_node(0.25 * (mesh_.point(k) + mesh_.point(b) + mesh_.point(c) + mesh_.point(d)));
     parity_.forget(p);
@@ -61,6 +62,7 @@ bool Morph::transition(const Corner& corner) {
     parity_.tie(p, k, true);
     parity_.tie(m, k, false);
     --insertions_;
+    ++counts_.transition_splits;
   }
   --insertions_;
   put_quads({ahead, behind}, polygons, old_level);

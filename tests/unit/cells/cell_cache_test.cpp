@@ -22,9 +22,12 @@ TEST(CellCache, KnowsACellThatBeginsTheSame) {
   CellCache cache(2);
   const CellId first(std::size_t{0}), second(std::size_t{1});
   EXPECT_EQ(cache.find(first, 7), nullptr);
-  cache.keep(first, 7, patch.mesh);
+  MorphCounts counts;
+  counts.seams = 3;
+  cache.keep(first, {7, patch.mesh, counts});
   ASSERT_NE(cache.find(first, 7), nullptr);
-  EXPECT_EQ(cache.find(first, 7)->topo().face_count(), 6u);
+  EXPECT_EQ(cache.find(first, 7)->mesh.topo().face_count(), 6u);
+  EXPECT_EQ(cache.find(first, 7)->counts, counts);
   EXPECT_EQ(cache.find(first, 8), nullptr);
   EXPECT_EQ(cache.find(second, 7), nullptr);
 }

@@ -50,6 +50,7 @@ TEST_F(MeshCell, RunsTheStagesInTheirOrder) {
   expect_sound(result);
   EXPECT_EQ(stages(result), (std::vector<std::string>{"triangulate", "field points", "qmorph", "clean-up"}));
   EXPECT_GT(result.raw.topo().face_count(), 20u);
+  EXPECT_GT(result.counts.n_triangles, 40u);
 }
 
 TEST_F(MeshCell, RetriesWithOtherTrianglesWhereAsked) {
@@ -106,8 +107,8 @@ TEST_F(MeshHalvedCell, KeepsWhatLiesNearPlaces) {
 TEST_F(MeshHalvedCell, TakesFromTheCacheWhatBeganTheSame) {
   const CellResult made = mesh({.method = Method::Merge});
   CellCache cache(2);
-  WorkMesh known = made.raw;  // not what clean-up makes of it
-  cache.keep(input().cell, made.start, known);
+  const WorkMesh known = made.raw;  // not what clean-up makes of it
+  cache.keep(input().cell, {made.start, known, {}});
   cache_ = &cache;
   const CellResult taken = mesh({.method = Method::Merge});
   EXPECT_TRUE(taken.is_cached);

@@ -66,6 +66,42 @@ TEST(Front, ReentrantCornerGetsThreeQuads) {
   EXPECT_NEAR(c.angle, 1.5 * kPi, 1e-12);
 }
 
+Corner corner_of_gap(double angle_deg, int n_quads) {
+  const WorkMesh mesh = shapes::gap(angle_deg, n_quads);
+  return corner_before(mesh, mesh.topo().find(NodeId(0), NodeId(1)));
+}
+
+TEST(Front, CornerBelowThirtyDegreesIsSeamedWhateverTheValence) {
+  EXPECT_EQ(corner_of_gap(29, 1).quads, 0);
+  EXPECT_NE(corner_of_gap(31, 1).quads, 0);
+}
+
+TEST(Front, CornerIsSeamedWhereThatCostsLessThanAQuad) {
+  EXPECT_EQ(corner_of_gap(49, 4).quads, 0);
+  EXPECT_EQ(corner_of_gap(51, 4).quads, 1);
+}
+
+TEST(Front, NoCornerAboveSixtyDegreesIsSeamed) {
+  EXPECT_EQ(corner_of_gap(59, 6).quads, 0);
+  EXPECT_EQ(corner_of_gap(61, 6).quads, 1);
+}
+
+TEST(Front, ValenceDecidesBetweenOneQuadAndTwo) {
+  EXPECT_EQ(corner_of_gap(128, 3).quads, 1);  // equal at 129 degrees: one more quad makes four
+  EXPECT_EQ(corner_of_gap(130, 3).quads, 2);
+  EXPECT_EQ(corner_of_gap(108, 2).quads, 1);  // at 109: two more make four
+  EXPECT_EQ(corner_of_gap(110, 2).quads, 2);
+}
+
+TEST(Front, QuadsEdgeIsSeamedToALineBelowThirtyDegrees) {
+  for (const double angle_deg : {29.0, 31.0}) {
+    const double angle = angle_deg * kPi / 180;
+    const WorkMesh mesh = shapes::mesh_of({{0, 0}, {1, 0}, {std::cos(angle), std::sin(angle)}, {-1, 1}, {-1, 0}},
+                                          {{0, 1, 2}, {0, 2, 3, 4}}, {{4, 0}, {0, 1}});
+    EXPECT_EQ(corner_before(mesh, mesh.topo().find(NodeId(0), NodeId(1))).quads, angle_deg < 30 ? 0 : 1);
+  }
+}
+
 TEST(Parity, NeighboursDifferAndOddRingsAreRefused) {
   Parity parity;
   EXPECT_TRUE(parity.tie(NodeId(0), NodeId(1), true));

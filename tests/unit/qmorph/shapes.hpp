@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <vector>
 
 #include "domain/size/size_field.hpp"
+#include "mesh/delaunay.hpp"
 #include "mesh/work_mesh.hpp"
 
 namespace quadline::shapes {
@@ -53,6 +56,75 @@ inline WorkMesh triangulated_grid(std::size_t nx, std::size_t ny, const std::vec
   for (std::size_t j = 0; j < ny; ++j) {
     constraints.push_back({node(nx, j), node(nx, j + 1)});
     constraints.push_back({node(0, j + 1), node(0, j)});
+  }
+  return mesh_of(points, faces, constraints);
+}
+
+/// Numbers that look random, the same everywhere.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : state_(seed) {}
+  /// In [-1, 1).
+  double roll() {
+    state_ = state_ * 1664525u + 1013904223u;
+    return static_cast<double>(state_ >> 8) / 8388608.0 - 1;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// The same with rising and falling diagonals in no order: pairs of triangles show no rows, the nodes do.
+inline WorkMesh shuffled_grid(std::size_t nx, std::size_t ny, const std::vector<Edge>& lines = {}) {
+  WorkMesh mesh = triangulated_grid(nx, ny, lines);
+  Dice dice(7);
+  for (std::size_t j = 0; j < ny; ++j)
+    for (std::size_t i = 0; i < nx; ++i) {
+      const std::size_t v = j * (nx + 1) + i;
+      const EdgeId diagonal = edge_of(mesh.topo().find(NodeId(v), NodeId(v + nx + 2)));
+      if (dice.roll() < 0 && mesh.can_swap(diagonal) == Refusal::None) mesh.swap_edge(diagonal);
+    }
+  return mesh;
+}
+
+/// The same with its free nodes moved four times by up to `most` along each axis, and Delaunay: no grid is left inside.
+inline WorkMesh jittered_grid(std::size_t nx, std::size_t ny, double most, std::uint32_t seed,
+                              const std::vector<Edge>& lines = {}) {
+  WorkMesh mesh = triangulated_grid(nx, ny, lines);
+  const Topology& topo = mesh.topo();
+  Dice dice(seed);
+  for (int round = 0; round < 4; ++round) {
+    for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
+      const NodeId v(i);
+      const Point from = mesh.point(v), to = from + Point{most * dice.roll(), most * dice.roll()};
+      bool is_valid = mesh.is_free(v);
+      topo.for_each_out(v, [&](HalfId h) {
+        is_valid = is_valid && cross(mesh.point(topo.head(h)) - to, mesh.point(topo.tail(topo.prev(h))) - to) > 0.02;
+      });
+      if (is_valid) mesh.move(v, to);
+    }
+    std::vector<EdgeId> edges;
+    for (std::size_t i = 0; i < topo.edge_capacity(); ++i) edges.push_back(EdgeId(i));
+    restore_delaunay(mesh, edges);
+  }
+  return mesh;
+}
+
+/// A node 0 at the origin with `n_quads` quads round it and a triangle in the gap between them: front edges leave along
+/// the x axis to node 1 and arrive from node 2, `angle_deg` counter-clockwise of it.
+inline WorkMesh gap(double angle_deg, int n_quads, const std::vector<Edge>& constraints = {}) {
+  constexpr double kDegree = 0.017453292519943295;
+  const auto at = [](double deg, double r) { return Point{r * std::cos(deg * kDegree), r * std::sin(deg * kDegree)}; };
+  const double share = (360 - angle_deg) / n_quads;
+  std::vector<Point> points{{0, 0}, {1, 0}, at(angle_deg, 1)};
+  std::vector<std::vector<std::size_t>> faces{{0, 1, 2}};
+  std::size_t rim = 2;
+  for (int i = 0; i < n_quads; ++i) {
+    points.push_back(at(angle_deg + (i + 0.5) * share, 2));
+    const std::size_t far = points.size() - 1, next = i + 1 < n_quads ? points.size() : 1;
+    if (next != 1) points.push_back(at(angle_deg + (i + 1) * share, 1));
+    faces.push_back({0, rim, far, next});
+    rim = next;
   }
   return mesh_of(points, faces, constraints);
 }
