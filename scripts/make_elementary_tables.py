@@ -78,11 +78,12 @@ def text():
     constant("2 / pi", "kQuartersPerRadian", rounded(2 / pi))
     array("pi / 2 as a sum; products of the first three with whole numbers below 2^20 are exact", "kQuarter",
           parts(pi / 2, [33, 33, 33]))
-    z = (pi / 4)**2 * mp.mpf("1.0001")
-    polynomial("(sin(r) - r) / r^3, of r^2 up to (pi / 4)^2", "kSine",
-               lambda k: mp.mpf(-1)**(k + 1) / mp.factorial(2 * k + 3), 0, z, 7)
-    polynomial("(cos(r) - 1 + r^2 / 2) / r^4, of r^2 up to (pi / 4)^2", "kCosine",
-               lambda k: mp.mpf(-1)**k / mp.factorial(2 * k + 4), 0, z, 6)
+    polynomial("(sin(r) - r) / r^3, of r^2 up to (1 / 8)^2", "kSine",
+               lambda k: mp.mpf(-1)**(k + 1) / mp.factorial(2 * k + 3), 0, mp.mpf(1) / 8**2, 4)
+    polynomial("(cos(r) - 1) / r^2, of r^2 up to (1 / 63)^2", "kCosine",
+               lambda k: mp.mpf(-1)**(k + 1) / mp.factorial(2 * k + 2), 0, mp.mpf(1) / 63**2, 3)
+    table("sin(i / 32)", "kSineOf", [pair(mp.sin(mp.mpf(i) / 32)) for i in range(26)])
+    table("cos(i / 32)", "kCosineOf", [pair(mp.cos(mp.mpf(i) / 32)) for i in range(26)])
     table("pi / 2 and pi", "kQuarterTurns", [pair(pi / 2), pair(pi)])
     table("arctan(i / 16)", "kArcTangentOf", [pair(mp.atan(mp.mpf(i) / 16)) for i in range(17)])
     polynomial("(arctan(u) - u) / u^3, of u^2 up to (1 / 31)^2", "kArcTangent",

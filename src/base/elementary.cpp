@@ -1,8 +1,8 @@
 // Argument reduction by sums of constants after [CodyWaite1980], tables and short polynomials after [Tang1989] for the
-// exponential and [Tang1990] for the logarithm; sums that keep their rounding errors after [Knuth1997]. We differ: the
-// arc tangent is looked up and reduced by both of its arguments, before any quotient is rounded, and near 1 the
-// logarithm takes from x - 1, which is exact, what its series lacks. No fused multiplication: not every processor has
-// it.
+// exponential, [Tang1990] for the logarithm and [Tang1991] for the sine; sums that keep their rounding errors after
+// [Knuth1997]. We differ: the arc tangent is looked up and reduced by both of its arguments, before any quotient is
+// rounded, and near 1 the logarithm takes from x - 1, which is exact, what its series lacks. No fused multiplication:
+// not every processor has it.
 #include "base/elementary.hpp"
 
 #include <array>
@@ -60,15 +60,32 @@ Reduced reduced(double angle) {
   return {static_cast<int>(n), rest};
 }
 
+// The nearest whole part of 1 / 32, at which sine and cosine are known, and what is left.
+struct Near {
+  std::size_t i;
+  double rest, sine_of_rest, cosine_less_1;
+  Near(double size, double low) {
+    const double n = size > 0x1p-6 ? std::floor(32 * size + 0.5) : 0;
+    i = static_cast<std::size_t>(n);
+    rest = (size - n / 32) + low;
+    const double z = rest * rest;
+    sine_of_rest = rest + rest * z * polynomial(tables::kSine, z);
+    cosine_less_1 = z * polynomial(tables::kCosine, z);
+  }
+};
+
 double sine_of(const Pair& r) {
-  const double z = r.high * r.high;
-  return r.high + (r.low * (1 - 0.5 * z) + r.high * z * polynomial(tables::kSine, z));
+  const double size = std::fabs(r.high), z = size * size;
+  if (!(size > 0.125)) return r.high + (r.low + r.high * z * polynomial(tables::kSine, z));
+  const Near near(size, r.high < 0 ? -r.low : r.low);
+  const Pair &s = tables::kSineOf[near.i], &c = tables::kCosineOf[near.i];
+  return std::copysign(s.high + (s.low + (c.high * near.sine_of_rest + s.high * near.cosine_less_1)), r.high);
 }
 
 double cosine_of(const Pair& r) {
-  const double z = r.high * r.high;
-  const Pair start = ordered_sum(1, -0.5 * z);
-  return start.high + (start.low + (z * z * polynomial(tables::kCosine, z) - r.high * r.low));
+  const Near near(std::fabs(r.high), r.high < 0 ? -r.low : r.low);
+  const Pair &s = tables::kSineOf[near.i], &c = tables::kCosineOf[near.i];
+  return c.high + (c.low + (c.high * near.cosine_less_1 - s.high * near.sine_of_rest));
 }
 
 // Sine of an angle that so many quarter turns were taken from.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "geom/element.hpp"
 #include "stages/verify/verify.hpp"
@@ -12,16 +11,17 @@ namespace quadline {
 
 namespace {
 
-constexpr double kDistortion = 0.1;        // what a quad of no beta counts, in irregular nodes
-constexpr double kUnsound = 1000;          // what a quad that is not convex counts
-constexpr double kTie = 2.0 / 90;          // in right angles
+constexpr double kDistortion = 0.1;  // what a quad of no beta counts, in irregular nodes
+constexpr double kUnsound = 1000;    // what a quad that is not convex counts
+// A corner has the number of quads nearest to its angle in right angles; within two degrees of a tie either will do.
+constexpr QuadSwitches kFewest{degrees(137), degrees(227), degrees(317)};
+constexpr QuadSwitches kMost{degrees(133), degrees(223), degrees(313)};
 constexpr std::size_t kMostQuads = 10000;  // of a cell that is looked at
 
-// Quads too many (too few: negative) for the angle of a sector, in radians; 0 for either number near a tie.
-int quads_off(double angle, int quads) {
-  const double wanted = angle / (std::numbers::pi / 2);
-  const double least = std::max(1.0, std::round(wanted - kTie)), most = std::max(1.0, std::round(wanted + kTie));
-  return quads > most ? quads - static_cast<int>(most) : quads < least ? quads - static_cast<int>(least) : 0;
+// Quads too many (too few: negative) for the angle of a sector.
+int quads_off(Angle angle, int quads) {
+  const int least = quads_for_angle(angle, kFewest), most = quads_for_angle(angle, kMost);
+  return quads > most ? quads - most : quads < least ? quads - least : 0;
 }
 
 template <class Visit>
@@ -39,7 +39,7 @@ void for_each_irregular(const WorkMesh& mesh, Visit visit) {
     const NodeId v(i);
     if (!topo.is_live(v) || !topo.out(v).valid()) continue;
     bool on_curve = false;
-    mesh.for_each_sector(v, [&](HalfId first, HalfId last, double angle) {
+    mesh.for_each_sector(v, [&](HalfId first, HalfId last, Angle angle) {
       on_curve = true;
       int quads = 0;
       for (HalfId h = first; quads == 0 || h != last; h = topo.rotate_ccw(h)) ++quads;

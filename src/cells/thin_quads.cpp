@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "search/box_tree.hpp"
 #include "stages/verify/verify.hpp"
@@ -11,8 +10,8 @@ namespace quadline {
 
 namespace {
 
-constexpr double kThin = 0.05;                            // scaled Jacobian
-constexpr double kWidest = 165 * std::numbers::pi / 180;  // corner at a node that stays
+constexpr double kThin = 0.05;           // scaled Jacobian
+constexpr Angle kWidest = degrees(165);  // corner at a node that stays
 
 template <class Visit>
 void for_each_face(const WorkMesh& mesh, Visit visit) {
@@ -27,7 +26,7 @@ bool is_thin(const WorkMesh& mesh, FaceId f) {
   if (scaled_jacobian(q) < kThin) return true;
   const Polygon p = mesh.topo().polygon(f);
   for (int i = 0; i < 4; ++i)
-    if (!mesh.is_free(p.nodes[i]) && corner_angle(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) > kWidest) return true;
+    if (!mesh.is_free(p.nodes[i]) && angle_at(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) > kWidest) return true;
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "geom/element.hpp"
 #include "quadline/quality.hpp"
 #include "quality/irregular_nodes.hpp"
@@ -106,7 +107,7 @@ class LineMeasure {
       const auto& q = mesh_.quads[i];
       const QuadPoints p{mesh_.points[q[0]], mesh_.points[q[1]], mesh_.points[q[2]], mesh_.points[q[3]]};
       const double beta = quad_distortion(p), jacobian = scaled_jacobian(p);
-      log_beta += std::log(std::max(beta, 1e-12));
+      log_beta += logarithm(std::max(beta, 1e-12));
       line.beta_min = std::min(line.beta_min, beta);
       line.scaled_jacobian_mean += jacobian;
       line.scaled_jacobian_min = std::min(line.scaled_jacobian_min, jacobian);
@@ -116,7 +117,7 @@ class LineMeasure {
         line.max_angle_deg = std::max(line.max_angle_deg, angle);
       }
     }
-    line.beta_mean = std::exp(log_beta / static_cast<double>(quads.size()));
+    line.beta_mean = exponential(log_beta / static_cast<double>(quads.size()));
     line.scaled_jacobian_mean /= static_cast<double>(quads.size());
   }
 
@@ -152,7 +153,7 @@ class LineMeasure {
         const NodeIndex next = quad[(corner + 1) % 4];
         if (nodes_.is_curve(numbers_.find(v, next))) return;
         const Point rung = direction(v, next);
-        sum += std::atan2(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegrees;
+        sum += arc_tangent(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegrees;
         ++n;
       });
     }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "geom/element.hpp"
 #include "quality/irregular_nodes.hpp"
 #include "quality/mesh_sides.hpp"
@@ -97,7 +98,7 @@ Quality measure(const Mesh& mesh, std::span<const double> size) {
   for (const auto& quad : mesh.quads) {
     const QuadPoints p = points_of(mesh, quad);
     const double beta = quad_distortion(p);
-    log_beta += std::log(std::max(beta, 1e-12));
+    log_beta += logarithm(std::max(beta, 1e-12));
     q.beta_min = std::min(q.beta_min, beta);
     jacobian.push_back(scaled_jacobian(p));
     if (jacobian.back() <= 0) ++q.n_inverted;
@@ -115,7 +116,7 @@ Quality measure(const Mesh& mesh, std::span<const double> size) {
     aspect.push_back(shortest > 0 ? longest / shortest : kEndless);
   }
   if (mesh.quads.empty()) q.beta_min = 0;
-  q.beta_mean = mesh.quads.empty() ? 0 : std::exp(log_beta / static_cast<double>(mesh.quads.size()));
+  q.beta_mean = mesh.quads.empty() ? 0 : exponential(log_beta / static_cast<double>(mesh.quads.size()));
   q.scaled_jacobian = statistics(jacobian);
   q.min_angle_deg = statistics(least);
   q.max_angle_deg = statistics(greatest);

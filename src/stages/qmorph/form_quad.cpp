@@ -1,7 +1,6 @@
 // The normal step of Q-Morph [Owen1999]: base edge, two side edges, top edge; what they enclose becomes a quad.
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "geom/predicates.hpp"
 #include "stages/qmorph/morph.hpp"
@@ -10,8 +9,8 @@ namespace quadline {
 
 namespace {
 
-constexpr std::size_t kMostEnclosed = 64;                      // triangles; more means that the flood has leaked
-constexpr double kWidestFixed = 168 * std::numbers::pi / 180;  // no smoothing opens a corner at a fixed node
+constexpr std::size_t kMostEnclosed = 64;     // triangles; more means that the flood has leaked
+constexpr Angle kWidestFixed = degrees(168);  // no smoothing opens a corner at a fixed node
 
 }  // namespace
 
@@ -85,7 +84,7 @@ bool Morph::is_good_enough(const Polygon& quad) const {
   for (int i = 0; i < 4; ++i) {
     const Point previous = p[(i + 3) % 4], next = p[(i + 1) % 4];
     if (orientation(previous, p[i], next) <= 0) ++reflex;
-    if (!mesh_.is_free(quad.nodes[i]) && corner_angle(previous, p[i], next) > kWidestFixed) return false;
+    if (!mesh_.is_free(quad.nodes[i]) && angle_at(previous, p[i], next) > kWidestFixed) return false;
   }
   return reflex <= 1 && cross(p[2] - p[0], p[3] - p[1]) > 0;
 }
