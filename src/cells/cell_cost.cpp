@@ -22,11 +22,11 @@ void for_each_irregular(const WorkMesh& mesh, Visit visit) {
   for (const NodeId v : topo.nodes()) {
     if (!topo.out(v).valid()) continue;
     bool on_curve = false;
-    mesh.for_each_sector(v, [&](HalfId first, HalfId last, double angle) {
+    mesh.for_each_sector(v, [&](HalfId first, HalfId last, Angle angle) {
       on_curve = true;
       int quads = 0;
       for (HalfId h = first; quads == 0 || h != last; h = topo.rotate_ccw(h)) ++quads;
-      if (const int off = quads_off(angle, quads); off != 0) visit(off);
+      if (const int off = quads_off(radians(angle), quads); off != 0) visit(off);
     });
     if (on_curve) continue;
     int quads = 0;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "quality/limits.hpp"
 #include "search/box_tree.hpp"
@@ -12,8 +11,6 @@ namespace quadline {
 
 namespace {
 
-constexpr double kWidest = 165 * std::numbers::pi / 180;  // corner at a node that stays
-
 bool is_sound(const WorkMesh& mesh, FaceId f) { return !mesh.topo().is_triangle(f) && is_sound(mesh.quad_points(f)); }
 
 bool is_thin(const WorkMesh& mesh, FaceId f) {
@@ -21,7 +18,7 @@ bool is_thin(const WorkMesh& mesh, FaceId f) {
   if (scaled_jacobian(q) < kThinJacobian) return true;
   const Polygon p = mesh.topo().polygon(f);
   for (int i = 0; i < 4; ++i)
-    if (!mesh.is_free(p.nodes[i]) && corner_angle(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) > kWidest) return true;
+    if (!mesh.is_free(p.nodes[i]) && angle_at(q[(i + 3) % 4], q[i], q[(i + 1) % 4]) > kWidestCorner) return true;
   return false;
 }
 

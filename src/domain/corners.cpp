@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.hpp"
 #include "geom/element.hpp"
 
 namespace quadline {
@@ -43,7 +44,7 @@ std::vector<CellCorner> corners_of(const Domain& domain) {
       for (std::size_t i = 0; i < walk.size(); ++i) {
         const double angle = angle_between(domain, walk[(i + walk.size() - 1) % walk.size()], walk[i]);
         unsigned best = 1;
-        const auto sine = [&](unsigned quads) { return std::sin(std::min(angle / quads, std::numbers::pi)); };
+        const auto sine = [&](unsigned quads) { return quadline::sine(std::min(angle / quads, std::numbers::pi)); };
         for (unsigned k = 2; k <= kMostQuads; ++k)
           if (sine(k) > sine(best) + kRoundOff) best = k;
         if (sine(best) > 1 - kRoundOff) continue;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.hpp"
+
 namespace quadline {
 
 namespace {
@@ -29,7 +31,7 @@ double added_along(double curve_length, double h, double H, double slope) {
 double added_round(double h, double H, double slope, double area) {
   if (!(h < H)) return 0;
   const double far = h + std::min(H - h, slope * std::sqrt(area / std::numbers::pi));
-  return kFullTurn / (slope * slope) * (std::log(far / h) + h / far - 1);
+  return kFullTurn / (slope * slope) * (logarithm(far / h) + h / far - 1);
 }
 
 double size_along(const Domain::Curve& curve, const Options& options) {

@@ -9,6 +9,9 @@
 #include <array>
 #include <numbers>
 
+#include "base/elementary.hpp"
+#include "geom/angles.hpp"
+
 namespace quadline {
 
 namespace {
@@ -17,14 +20,8 @@ constexpr double kPi = std::numbers::pi;
 
 /// Turn from u to v in the direction of `sign`, in [0, 2 pi).
 double turn(Point u, Point v, double sign) {
-  const double angle = std::atan2(sign * cross(u, v), dot(u, v));
+  const double angle = arc_tangent(sign * cross(u, v), dot(u, v));
   return angle < 0 ? angle + 2 * kPi : angle;
-}
-
-Point rotated(Point v, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
 double sign_of(const CurvePiece& arc) { return arc.sweep < 0 ? -1.0 : 1.0; }
@@ -42,7 +39,7 @@ CurvePiece arc_through(Point a, Point via, Point b) {
   const double radius = norm(to_center);
   if (!std::isfinite(radius) || !std::isfinite(center.x) || !std::isfinite(center.y)) return straight;
   // The angle at `via` sees the chord from the circle: the turn is twice what it lacks to a half turn.
-  const double sweep = 2 * std::atan2(std::abs(area), -dot(u, v));
+  const double sweep = 2 * arc_tangent(std::abs(area), -dot(u, v));
   return {.a = a, .b = b, .center = center, .radius = radius, .sweep = area < 0 ? sweep : -sweep};
 }
 
@@ -84,15 +81,15 @@ Point point_at(const CurvePiece& piece, double s) {
   const double other = distance(from_a ? piece.b : piece.a, piece.center);
   const double share = from_a ? f : 1 - f;
   const double angle = (from_a ? f : f - 1) * piece.sweep;
-  return piece.center + ((here + share * (other - here)) / here) * rotated(spoke, angle);
+  return piece.center + ((here + share * (other - here)) / here) * turned(spoke, angle);
 }
 
 Point tangent_at(const CurvePiece& piece, double s) {
   const Point chord = piece.b - piece.a;
   if (!piece.is_arc()) return (1 / norm(chord)) * chord;
   const double f = std::clamp(s / length(piece), 0.0, 1.0);
-  const Point spoke = f <= 0.5 ? rotated(piece.a - piece.center, f * piece.sweep)
-                               : rotated(piece.b - piece.center, (f - 1) * piece.sweep);
+  const Point spoke = f <= 0.5 ? turned(piece.a - piece.center, f * piece.sweep)
+                               : turned(piece.b - piece.center, (f - 1) * piece.sweep);
   return (sign_of(piece) / norm(spoke)) * left_normal(spoke);
 }
 
@@ -112,7 +109,7 @@ double project(const CurvePiece& piece, Point p) {
 
 double twice_area_under(const CurvePiece& piece, Point origin) {
   double twice = cross(piece.a - origin, piece.b - origin);
-  if (piece.is_arc()) twice += norm2(piece.a - piece.center) * (piece.sweep - std::sin(piece.sweep));
+  if (piece.is_arc()) twice += norm2(piece.a - piece.center) * (piece.sweep - sine(piece.sweep));
   return twice;
 }
 
@@ -122,7 +119,7 @@ CurvePiece sub_piece(const CurvePiece& piece, double s0, double s1, Point start,
   const double expected = std::copysign((s1 - s0) / piece.radius, piece.sweep);
   const Point u = start - piece.center;
   const Point v = end - piece.center;
-  double sweep = std::atan2(cross(u, v), dot(u, v));
+  double sweep = arc_tangent(cross(u, v), dot(u, v));
   // The ends tell the turn up to full turns; the arc lengths tell how many.
   if (sweep - expected > kPi) sweep -= 2 * kPi;
   if (expected - sweep > kPi) sweep += 2 * kPi;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "geom/angles.hpp"
+
 namespace quadline {
 
 double triangle_distortion(Point a, Point b, Point c) {
@@ -29,11 +31,7 @@ double scaled_jacobian(const QuadPoints& q) {
   return least;
 }
 
-double corner_angle(Point previous, Point corner, Point next) {
-  const Point u = next - corner, v = previous - corner;
-  const double angle = std::atan2(cross(u, v), dot(u, v));
-  return angle > 0 ? angle : angle + 2 * std::numbers::pi;
-}
+double corner_angle(Point previous, Point corner, Point next) { return radians(angle_at(previous, corner, next)); }
 
 double inverse_mean_ratio(const QuadPoints& q) {
   double sum = 0;

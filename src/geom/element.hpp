@@ -21,8 +21,7 @@ double quad_distortion(const QuadPoints& q);
 /// Least sine of a corner, signed; negative for a reflex corner, 0 for a flat or collapsed one.
 double scaled_jacobian(const QuadPoints& q);
 
-/// Interior angle in radians, (0, 2 pi], of a counter-clockwise polygon at `corner`: from the direction of `next`
-/// counter-clockwise to that of `previous`.
+/// The interior angle of `angle_at` in radians, (0, 2 pi]; for decisions that is the better one.
 double corner_angle(Point previous, Point corner, Point next);
 
 /// Mean over the corners of (|u|^2 + |v|^2) / (2 det(u, v)) [Knupp2000]: 1 for a square; infinite where a corner is not

@@ -1,7 +1,6 @@
 #include "mesh/work_mesh.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "base/check.hpp"
 #include "geom/predicates.hpp"
@@ -28,10 +27,10 @@ QuadPoints WorkMesh::quad_points(FaceId f) const {
   return {point(p.nodes[0]), point(p.nodes[1]), point(p.nodes[2]), point(p.nodes[3])};
 }
 
-double WorkMesh::angle_between(HalfId a, HalfId b) const {
-  if (a == b) return 2 * std::numbers::pi;
+Angle WorkMesh::angle_between(HalfId a, HalfId b) const {
+  if (a == b) return degrees(360);
   const Point v = point(topo_.tail(a));
-  return corner_angle(point(topo_.head(b)), v, point(topo_.head(a)));
+  return angle_at(point(topo_.head(b)), v, point(topo_.head(a)));
 }
 
 Refusal WorkMesh::can_swap(EdgeId e) const {
@@ -199,17 +198,10 @@ void WorkMesh::fit() {
   cell_.grow(topo_.face_capacity());
 }
 
-int quads_for_angle(double angle_rad) {
-  const double degrees = angle_rad * 180 / std::numbers::pi;
-  if (degrees < 125) return 1;
-  if (degrees < 218) return 2;
-  return degrees < 310 ? 3 : 4;
-}
-
 int ideal_quads(const WorkMesh& mesh, NodeId v) {
   int n = 0;
   bool on_curve = false;
-  mesh.for_each_sector(v, [&](HalfId, HalfId, double angle) {
+  mesh.for_each_sector(v, [&](HalfId, HalfId, Angle angle) {
     n += quads_for_angle(angle);
     on_curve = true;
   });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "geom/angles.hpp"
 #include "geom/element.hpp"
 #include "quadline/point.hpp"
 #include "topo/topology.hpp"
@@ -82,11 +83,11 @@ class WorkMesh {
 
   // Sectors: the gaps between neighbouring constraint edges round a node of a curve
   /// Calls `visit(first, last, angle)` for each sector inside the domain: from half-edge `first` counter-clockwise to
-  /// half-edge `last`, both constraints and outgoing; the same where the node ends an open line (angle 2 pi).
+  /// half-edge `last`, both constraints and outgoing; the same where the node ends an open line (a full turn).
   template <class Visit>
   void for_each_sector(NodeId v, Visit visit) const;
-  /// Angle in radians, (0, 2 pi], from a to b counter-clockwise, both outgoing half-edges of one node.
-  double angle_between(HalfId a, HalfId b) const;
+  /// From a to b counter-clockwise, both outgoing half-edges of one node.
+  Angle angle_between(HalfId a, HalfId b) const;
 
   // The gate: what an edit may reach
   /// From the face on the left of h across it to the other.
@@ -153,10 +154,6 @@ class WorkMesh {
   std::vector<Segment> inside_;
   std::vector<HalfId> fresh_;
 };
-
-/// Number of quads that fit best into a corner of the given angle (radians), at least 1: switches at 125, 218 and 310
-/// degrees, between "nearest to a square" (120, 216, 308.6) and plain rounding (135, 225, 315).
-int quads_for_angle(double angle_rad);
 
 /// The valence (number of quads) that suits a node best: 4 inside, the sum over the sectors on curves.
 int ideal_quads(const WorkMesh& mesh, NodeId v);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/elementary.hpp"
 
 namespace quadline {
 
@@ -13,7 +14,7 @@ constexpr double kLeastScale = 0.1;  // for limits of about zero
 
 double skew_deg(const QuadPoints& p) {
   const Point u = p[1] + p[2] - p[3] - p[0], v = p[2] + p[3] - p[0] - p[1];
-  return 90 - std::atan2(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegreesPerRadian;
+  return 90 - arc_tangent(std::abs(cross(u, v)), std::abs(dot(u, v))) * kDegreesPerRadian;
 }
 
 void set_angles(const QuadPoints& p, Criteria& values) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geom/angles.hpp"
+
 namespace quadline {
 
 // What counts as a bad quad, in one place: stages that judge by the same words judge by the same figures. Scaled
@@ -17,5 +19,8 @@ inline constexpr double kThinJacobian = 0.05;
 
 /// Smoothing raises what is below it, and takes nothing that was better to below it: a corner of 57 degrees.
 inline constexpr double kGoodJacobian = 0.84;
+
+/// A wider corner at a node that stays makes a degenerate quad: no smoothing opens it.
+inline constexpr Angle kWidestCorner = degrees(165);
 
 }  // namespace quadline

@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/csr.hpp"
+#include "base/elementary.hpp"
 #include "geom/element.hpp"
 #include "quadline/quality.hpp"
 #include "quality/face_corners.hpp"
@@ -126,7 +127,7 @@ class LineMeasure {
         const NodeIndex next = quad[(corner + 1) % 4];
         if (nodes_.is_curve(edges_.find(v, next))) continue;
         const Point rung = direction(v, next);
-        sum += std::atan2(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegreesPerRadian;
+        sum += arc_tangent(std::abs(dot(along, rung)), std::abs(cross(along, rung))) * kDegreesPerRadian;
         ++n;
       }
     }

@@ -1,7 +1,8 @@
 #include "quality/quad_sums.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.hpp"
 
 namespace quadline {
 
@@ -10,11 +11,11 @@ void QuadSums::add(double beta, double jacobian) {
   ++n_;
   n_inverted_ += jacobian <= 0;
   beta_min_ = std::min(beta_min_, beta);
-  log_beta_ += std::log(std::max(beta, kLeastBeta));
+  log_beta_ += logarithm(std::max(beta, kLeastBeta));
   jacobian_min_ = std::min(jacobian_min_, jacobian);
   jacobian_ += jacobian;
 }
 
-double QuadSums::beta_mean() const { return n_ > 0 ? std::exp(log_beta_ / static_cast<double>(n_)) : 0; }
+double QuadSums::beta_mean() const { return n_ > 0 ? exponential(log_beta_ / static_cast<double>(n_)) : 0; }
 
 }  // namespace quadline

@@ -31,8 +31,8 @@ class CornerMap {
                                [](const CellCorner& a, Point p) { return is_before(a.at, p); });
     for (; it != corners_.end() && it->at == at; ++it) {
       const double half = 0.5 * corner_angle(previous, {0, 0}, next), from = corner_angle(next, {0, 0}, it->from);
-      const double middle = std::fmod((from + half) * 180 / std::numbers::pi, 360);
-      if (middle <= it->angle_deg) return std::max(it->sj_bound, kLeastBound);
+      const double middle = (from + half) * 180 / std::numbers::pi;
+      if ((middle < 360 ? middle : middle - 360) <= it->angle_deg) return std::max(it->sj_bound, kLeastBound);
     }
     return 1;
   }

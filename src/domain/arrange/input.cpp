@@ -1,6 +1,7 @@
 // First step of `arrange`: checks the model and lays out its paths as vertices and pieces.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/constants.hpp"
 #include "domain/arrange/unique_names.hpp"
@@ -238,7 +239,7 @@ class Reader {
     const VertexId e = work_.vertices.push_back({.at = east, .rank = Rank::Helper});
     const VertexId w = work_.vertices.push_back({.at = west, .rank = Rank::Helper});
     CurvePiece half{.a = east, .b = west, .center = circle.center, .radius = circle.radius};
-    half.sweep = 2 * std::atan2(1.0, 0.0);
+    half.sweep = std::numbers::pi;
     work_.steps.push_back(half);
     add_piece(e, w, half);
     std::swap(half.a, half.b);

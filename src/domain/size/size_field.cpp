@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/elementary.hpp"
 #include "domain/cell_locator.hpp"
 #include "domain/size/size_sources.hpp"
 #include "domain/size/size_tree.hpp"
@@ -51,7 +52,7 @@ SizeField make_size_field(const Domain& domain, const Options& options, Context&
     const CellId cell = cells.at(p);
     return cell.valid() ? domain.cells[cell].size : largest;
   });
-  tree.grade(std::log(options.growth));
+  tree.grade(logarithm(options.growth));
   SizeField field;
   field.least_edges_ = std::move(curves.least_edges);
   tree.write(field);

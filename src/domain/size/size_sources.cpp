@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/elementary.hpp"
+
 namespace quadline {
 namespace {
 
@@ -53,7 +55,7 @@ double curvature_size(double radius, double edges) {
   // The row of squares round a circle has edges from the chord to (1 + 2 pi / edges) chords long; the size is their
   // mean. The chord itself would add edges to each ring that the next one has to lose again.
   const double step = std::numbers::pi / edges;
-  return 2 * radius * std::sin(step) * (1 + step);
+  return 2 * radius * sine(step) * (1 + step);
 }
 
 double base_size(const Domain& domain, const Domain::Curve& curve) {

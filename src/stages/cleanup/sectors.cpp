@@ -4,29 +4,38 @@
 #include "stages/cleanup/sectors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+
+#include "quality/limits.hpp"
 
 namespace quadline::cleanup {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kWidestCorner = 165 * kDegree;  // a wider corner at a fixed node makes a degenerate quad
-constexpr double kNearThreshold = 8 * kDegree;
-constexpr double kTie = 2 * kDegree;
+// A corner at a fixed node that is wider than 165 degrees makes a degenerate quad: what needs two quads, and three.
+constexpr std::array kTooWide{kWidestCorner, degrees(330)};
+// The switches for an angle 8 degrees less, and more
+constexpr std::array<QuadSwitches, 2> kNearSwitches{
+    {{degrees(133), degrees(226), degrees(318)}, {degrees(117), degrees(210), degrees(302)}}};
 
-IdealValence ideal_valence(double angle) {
+// Within two degrees of a number of quads and a half
+bool is_tie(Angle angle) {
+  return (angle > degrees(223) && angle < degrees(227)) || (angle > degrees(313) && angle < degrees(317));
+}
+
+IdealValence ideal_valence(Angle angle) {
   IdealValence valence;
   valence.on_curve = true;
-  valence.least = static_cast<std::uint8_t>(std::max(1.0, std::ceil(angle / kWidestCorner)));
+  valence.least = 1;
+  for (const Angle& limit : kTooWide) valence.least += angle > limit;
   const int ideal = std::max<int>(valence.least, quads_for_angle(angle));
   valence.ideal = static_cast<std::uint8_t>(ideal);
-  for (const double step : {-kNearThreshold, kNearThreshold}) {
-    const int other = quads_for_angle(std::max(angle + step, kDegree));
+  for (const QuadSwitches& switches : kNearSwitches) {
+    const int other = quads_for_angle(angle, switches);
     if (other != ideal && other >= valence.least) valence.second = static_cast<std::uint8_t>(other);
   }
-  for (const double tie : {225 * kDegree, 315 * kDegree}) valence.is_tie |= std::abs(angle - tie) < kTie;
+  valence.is_tie = is_tie(angle);
   return valence;
 }
 
@@ -44,7 +53,7 @@ int valence_cost(const IdealValence& ideal, int quads) {
 Sectors::Sectors(const WorkMesh& mesh) : mesh_(mesh), ideal_(2 * mesh.topo().edge_capacity()) {
   for (const NodeId v : mesh.topo().nodes()) {
     if (mesh.is_free(v)) continue;
-    mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) { ideal_[first] = ideal_valence(angle); });
+    mesh.for_each_sector(v, [&](HalfId first, HalfId, Angle angle) { ideal_[first] = ideal_valence(angle); });
   }
 }
 

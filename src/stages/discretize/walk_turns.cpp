@@ -2,8 +2,7 @@
 
 #include <cstddef>
 
-#include "geom/element.hpp"
-#include "mesh/work_mesh.hpp"
+#include "geom/angles.hpp"
 
 namespace quadline {
 namespace {
@@ -21,7 +20,7 @@ std::vector<int> quads_along(const Domain& domain, const std::vector<DirectedCur
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const DirectedCurve before = walk[(i + walk.size() - 1) % walk.size()];
     const Point in = direction(domain, before, true), out = direction(domain, walk[i], false);
-    quads.push_back(quads_for_angle(corner_angle(-1.0 * in, {0, 0}, out)));
+    quads.push_back(quads_for_angle(angle_at(-1.0 * in, {0, 0}, out)));
   }
   return quads;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <queue>
 
+#include "base/elementary.hpp"
 #include "stages/field_points/insertion.hpp"
 
 namespace quadline {
@@ -20,21 +21,18 @@ struct Seed {
   bool sideways;    // whether rows may also leave to the left and right
 };
 
-Point rotated(Point v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
-
 // The inner directions of each sector of a constraint node: where its side edges will be.
 void seeds_of(const WorkMesh& mesh, NodeId v, std::vector<Seed>& seeds) {
-  mesh.for_each_sector(v, [&](HalfId first, HalfId, double angle) {
+  mesh.for_each_sector(v, [&](HalfId first, HalfId, Angle angle) {
     const int k = quads_for_angle(angle);
+    if (k == 1) return;
+    const double turn = radians(angle) / k;
     const Point edge = mesh.point(mesh.topo().head(first)) - mesh.point(v);
     const Point along = (1 / norm(edge)) * edge;
+    const double reach = std::fmin(1.4, 1 / sine(std::fmin(turn, std::numbers::pi / 2)));
     for (int i = 1; i < k; ++i) {
-      const double reach = std::fmin(1.4, 1 / std::sin(std::fmin(angle / k, std::numbers::pi / 2)));
-      seeds.push_back({v, i * angle / k == std::numbers::pi / 2 ? left_normal(along) : rotated(along, i * angle / k),
-                       reach, false});
+      const bool is_normal = i * turn == std::numbers::pi / 2;
+      seeds.push_back({v, is_normal ? left_normal(along) : turned(along, i * turn), reach, false});
     }
   });
 }

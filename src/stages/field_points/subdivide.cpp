@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
 #include "mesh/delaunay.hpp"
 #include "search/hilbert.hpp"
 #include "stages/field_points/insertion.hpp"
@@ -20,7 +21,7 @@ constexpr int kMostRounds = 64;  // each round at least halves the longest edge:
 // Length in the size metric of an edge of length d where the size runs linearly from ha to hb.
 double metric_length(double d, double ha, double hb) {
   const double r = hb / ha;
-  return std::fabs(r - 1) < 1e-3 ? d / ha : d * std::log(r) / (hb - ha);
+  return std::fabs(r - 1) < 1e-3 ? d / ha : d * logarithm(r) / (hb - ha);
 }
 
 // Places points at equal metric distance along edges.

@@ -1,6 +1,5 @@
 // The normal step of Q-Morph [Owen1999]: base edge, two side edges, top edge; what they enclose becomes a quad.
 #include <algorithm>
-#include <numbers>
 
 #include "stages/qmorph/morph.hpp"
 
@@ -8,8 +7,8 @@ namespace quadline {
 
 namespace {
 
-constexpr std::size_t kMostEnclosed = 64;                      // triangles; more means that the flood has leaked
-constexpr double kWidestFixed = 168 * std::numbers::pi / 180;  // no smoothing opens a corner at a fixed node
+constexpr std::size_t kMostEnclosed = 64;     // triangles; more means that the flood has leaked
+constexpr Angle kWidestFixed = degrees(168);  // no smoothing opens a corner at a fixed node
 
 }  // namespace
 
@@ -87,7 +86,7 @@ bool Morph::enclosed_triangles(HalfId start, const std::vector<EdgeId>& rim, std
 bool Morph::is_good_enough(const Polygon& quad) const {
   const auto p = [&](int i) { return mesh_.point(quad.nodes[i % 4]); };
   for (int i = 0; i < 4; ++i)
-    if (!mesh_.is_free(quad.nodes[i]) && corner_angle(p(i + 3), p(i), p(i + 1)) > kWidestFixed) return false;
+    if (!mesh_.is_free(quad.nodes[i]) && angle_at(p(i + 3), p(i), p(i + 1)) > kWidestFixed) return false;
   return true;
 }
 

@@ -10,29 +10,30 @@ namespace quadline {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kWidest = 165 * kPi / 180;  // no quad gets a wider corner on purpose
-constexpr double kSeamBelow = kPi / 6;       // [Lee2003], [Owen1999]
-constexpr double kSeamAtMost = kPi / 3;
+constexpr double kWidest_rad = 165 * kPi / 180;  // no quad gets a wider corner on purpose
+constexpr Angle kSeamBelow = degrees(30);        // [Lee2003], [Owen1999]
+constexpr Angle kSeamAtMost = degrees(60);
 
 double square(double x) { return x * x; }
 
 // Deviation of a corner shared by k quads from a right angle, and of the node's valence from four.
-double cost(double angle, int k, int quads_there) {
-  const double misfit = k == 0 ? angle / (kPi / 6) : (angle / k - kPi / 2) / (kPi / 6);
+double cost(double angle_rad, int k, int quads_there) {
+  const double misfit = k == 0 ? angle_rad / (kPi / 6) : (angle_rad / k - kPi / 2) / (kPi / 6);
   return square(misfit) + square(quads_there + k - 4);
 }
 
-int quads_at_free_node(double angle, int quads_there) {
+int quads_at_free_node(Angle angle, int quads_there) {
+  const double angle_rad = radians(angle);
   int best = 4;
-  double least = cost(angle, 4, quads_there);
+  double least = cost(angle_rad, 4, quads_there);
   for (int k = 3; k >= 1; --k) {
-    if (angle / k > kWidest) break;
-    if (const double c = cost(angle, k, quads_there); c < least) {
+    if (angle_rad / k > kWidest_rad) break;
+    if (const double c = cost(angle_rad, k, quads_there); c < least) {
       least = c;
       best = k;
     }
   }
-  if (angle < kSeamBelow || (angle < kSeamAtMost && cost(angle, 0, quads_there) < least)) return 0;
+  if (angle < kSeamBelow || (angle < kSeamAtMost && cost(angle_rad, 0, quads_there) < least)) return 0;
   return best;
 }
 
@@ -40,7 +41,7 @@ Corner corner(const WorkMesh& mesh, HalfId in, HalfId out) {
   const Topology& topo = mesh.topo();
   Corner c{in, out, topo.tail(out)};
   const bool line_end = out == twin(in);
-  c.angle = line_end ? 2 * kPi : mesh.angle_between(out, twin(in));
+  c.angle = line_end ? degrees(360) : mesh.angle_between(out, twin(in));
   if (mesh.is_free(c.node)) {
     int quads_there = 0;
     topo.for_each_out(c.node, [&](HalfId h) {

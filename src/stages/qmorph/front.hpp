@@ -15,8 +15,8 @@ enum class State : std::uint8_t {
 struct Corner {
   HalfId in, out;
   NodeId node;
-  double angle = 0;  ///< radians, (0, 2 pi]; counter-clockwise from `out` to the twin of `in`
-  int quads = 1;     ///< how many quads shall fill the angle; 0: it shall be seamed
+  Angle angle{};  ///< counter-clockwise from `out` to the twin of `in`
+  int quads = 1;  ///< how many quads shall fill the angle; 0: it shall be seamed
   State state = State::Open;
 };
 

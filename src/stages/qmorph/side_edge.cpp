@@ -10,17 +10,12 @@ namespace quadline {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kFan = kPi / 6;      // [Owen1999], [Lee2003]
-constexpr double kWideFan = kPi / 4;  // before a node is inserted
-constexpr double kLastFan = kPi / 3;  // before the step is given up
-constexpr double kLongest = 1.7;      // side edges above this part of the local size are split
-constexpr double kShortest = 0.35;    // no piece below this part of the local size is made
-
-Point rotated(Point v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
+// Cosines of how far a side edge may lie from the wanted direction
+constexpr double kFan = degrees(30).cosine;      // [Owen1999], [Lee2003]
+constexpr double kWideFan = degrees(45).cosine;  // before a node is inserted
+constexpr double kLastFan = degrees(60).cosine;  // before the step is given up
+constexpr double kLongest = 1.7;                 // side edges above this part of the local size are split
+constexpr double kShortest = 0.35;               // no piece below this part of the local size is made
 
 // Cosine of the angle between two directions.
 double closeness(Point u, Point v) { return dot(u, v) / std::sqrt(norm2(u) * norm2(v)); }
@@ -37,8 +32,8 @@ NodeId Morph::side_edge(const Corner& corner, End end) {
   }
 
   const Point k = mesh_.point(corner.node);
-  const double turn = corner.angle / corner.quads;
-  const Point direction = rotated(mesh_.point(foot) - k, end == End::Tail ? turn : -turn);
+  const double turn = radians(corner.angle) / corner.quads;
+  const Point direction = turned(mesh_.point(foot) - k, end == End::Tail ? turn : -turn);
   if (const NodeId v = reuse_edge(corner, direction, kFan, foot); v.valid()) return v;
 
   // The triangle of the fan that the wanted direction cuts
@@ -61,13 +56,13 @@ NodeId Morph::side_edge(const Corner& corner, End end) {
   return reuse_edge(corner, direction, kLastFan, foot);
 }
 
-// The edge of the corner's fan nearest to the direction, within `widest`, that keeps the loops even.
-NodeId Morph::reuse_edge(const Corner& corner, Point direction, double widest, NodeId foot) {
+// The edge of the corner's fan nearest to the direction, closer than `least`, that keeps the loops even.
+NodeId Morph::reuse_edge(const Corner& corner, Point direction, double least, NodeId foot) {
   const Topology& topo = mesh_.topo();
   const Point k = mesh_.point(corner.node);
   const double longest = kLongest * size_at(k);
-  double best = std::cos(widest);
-  double best_split = std::cos(widest);
+  double best = least;
+  double best_split = least;
   HalfId found, to_split;
   bool would_be_odd = false;  // the edge to split, if taken whole
   for (HalfId h = topo.rotate_ccw(corner.out); h != twin(corner.in) && h != corner.out; h = topo.rotate_ccw(h)) {
@@ -115,7 +110,7 @@ NodeId Morph::swap_for_edge(const Corner& corner, HalfId cut, Point direction, d
   if (mesh_.is_constraint(cut) || !mesh_.is_triangle(twin(cut)) || is_held(edge_of(cut))) return {};
   const NodeId v = topo.head(topo.next(twin(cut)));
   const Point side = mesh_.point(v) - mesh_.point(corner.node);
-  if (v == foot || norm(side) >= longest || closeness(side, direction) <= std::cos(kFan)) return {};
+  if (v == foot || norm(side) >= longest || closeness(side, direction) <= kFan) return {};
   if (mesh_.can_swap(edge_of(cut)) != Refusal::None) return {};
   const std::size_t mark = parity_.mark();
   const bool even = parity_.tie(corner.node, v, true);

@@ -4,7 +4,6 @@
 // front ends.
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "stages/qmorph/morph.hpp"
 
@@ -26,7 +25,7 @@ bool Morph::transition(const Corner& corner) {
   const Topology& topo = mesh_.topo();
   const double in = mesh_.edge_length(edge_of(corner.in)), out = mesh_.edge_length(edge_of(corner.out));
   if (std::fmax(in, out) < kRatio * std::fmin(in, out) || insertions_ < 2) return false;
-  if (corner.quads != 0 && corner.angle >= std::numbers::pi) return false;
+  if (corner.quads != 0 && corner.angle >= degrees(180)) return false;
   const bool mirrored = in > out;  // the long edge arrives at the corner instead of leaving it
   const HalfId longer = mirrored ? corner.in : corner.out;
   const FaceId ahead = topo.face(longer), behind = topo.face(twin(longer));

@@ -41,10 +41,10 @@ int flat_sectors(const WorkMesh& mesh) {
   int n_flat = 0;
   for (std::size_t i = 0; i < topo.node_capacity(); ++i) {
     if (!topo.is_live(NodeId(i))) continue;
-    mesh.for_each_sector(NodeId(i), [&](HalfId first, HalfId last, double angle) {
+    mesh.for_each_sector(NodeId(i), [&](HalfId first, HalfId last, Angle angle) {
       int n = 1;
       for (HalfId h = topo.rotate_ccw(first); h != last; h = topo.rotate_ccw(h)) ++n;
-      n_flat += angle / n > 165 * std::numbers::pi / 180;
+      n_flat += radians(angle) / n > 165 * std::numbers::pi / 180;
     });
   }
   return n_flat;

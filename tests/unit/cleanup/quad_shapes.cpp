@@ -174,10 +174,11 @@ Figures figures(const WorkMesh& mesh) {
     const NodeId v(i);
     if (!topo.is_live(v)) continue;
     bool irregular = mesh.is_free(v) && topo.edge_valence(v) != 4;
-    mesh.for_each_sector(v, [&](HalfId first, HalfId last, double angle) {
+    mesh.for_each_sector(v, [&](HalfId first, HalfId last, Angle angle) {
       int n = 1;
       for (HalfId h = topo.rotate_ccw(first); h != last; h = topo.rotate_ccw(h)) ++n;
-      const double quarters = angle * 2 / std::numbers::pi, tie = 2.0 / 90;  // within two degrees of a tie both will do
+      const double quarters = radians(angle) * 2 / std::numbers::pi,
+                   tie = 2.0 / 90;  // within two degrees of a tie both will do
       const long least = std::max(1L, std::lround(quarters - tie)), most = std::max(1L, std::lround(quarters + tie));
       if (n < least || n > most) irregular = true;
     });
