@@ -463,15 +463,18 @@ TEST_F(MorphTest, QuadNeverSwallowsAPointConstraint) {
 }
 
 TEST_F(MorphTest, CompletionTakesTheBestPairsFirst) {
-  // The squares of a row, not the slanted quad between them, which has a smaller id
-  WorkMesh mesh = shapes::triangulated_grid(2, 1);
+  // The squares, not the slanted quads between them; round a node there is a choice.
+  WorkMesh mesh = shapes::shuffled_grid(4, 4);
   Morph morph(mesh, size_);
   morph.complete();
-  EXPECT_EQ(mesh.topo().face_count(), 2u);
-  EXPECT_EQ(mesh.topo().node_count(), 6u);
-  EXPECT_TRUE(mesh.topo().find(NodeId(1), NodeId(4)).valid());
-  EXPECT_EQ(morph.counts().completion_triangles, 4u);
-  EXPECT_EQ(morph.counts().completion_quads, 2u);
+  EXPECT_EQ(mesh.topo().face_count(), 16u);
+  EXPECT_EQ(mesh.topo().node_count(), 25u);
+  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
+    if (!mesh.topo().is_live(FaceId(i))) continue;
+    EXPECT_NEAR(scaled_jacobian(mesh.quad_points(FaceId(i))), 1, 1e-12);
+  }
+  EXPECT_EQ(morph.counts().completion_triangles, 32u);
+  EXPECT_EQ(morph.counts().completion_quads, 16u);
 }
 
 TEST_F(MorphTest, CompletionLeavesNoTriangleAndKeepsEveryLine) {
