@@ -25,8 +25,8 @@ struct StageTime {
 
 /// What Q-Morph did: how often each of the cases of [Owen1999] and [Lee2003] came up.
 ///
-/// The sums over `quads`, over `side_*` and twice those over `quads` and `top_*` agree: every quad of a normal step has
-/// two side edges and a top edge. Of a step that was refused nothing counts but the refusal.
+/// Every quad of a normal step has two side edges and a top edge: the sum over `side_*` is twice that over `quads`, and
+/// that over `top_*` the same. Of a step that was refused nothing counts but the refusal.
 struct MorphCounts {
   std::size_t n_triangles = 0;  ///< before the first step
   /// Quads of the normal step, by the states of the base edge: `[at its tail][at its head]`; 0: a side edge is sought,

@@ -20,8 +20,9 @@ class Morph {
   const WorkMesh& mesh() const { return mesh_; }
   /// Nodes whose corners the last successful step changed.
   const std::vector<NodeId>& touched() const { return touched_; }
-  /// Layers of quads between a front edge and where the front began.
+  /// What the steps have done up to now.
   const MorphCounts& counts() const { return counts_; }
+  /// Layers of quads between a front edge and where the front began.
   int level(EdgeId e) const { return e.value < level_.count() ? level_[e] : 0; }
 
   void set_level(EdgeId e, int level);

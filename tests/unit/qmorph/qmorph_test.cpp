@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/read_model.hpp"
+#include "quadline/generate.hpp"
 #include "shapes.hpp"
 
 namespace quadline {
@@ -155,6 +157,16 @@ TEST(QMorph, FirstLayerAndHalfWayAreShown) {
       },
       context);
   EXPECT_EQ(seen, (std::vector<std::string>{"first-layer", "half-way"}));
+}
+
+// Many fronts meet between 64 holes: 36 triangles are left, and twice as many without a second try of refused edges.
+TEST(QMorph, SecondTryOfRefusedEdgesLeavesLessToCompletion) {
+  Options options;
+  options.triangles = Triangles::Front;
+  Context context;
+  const MeshResult result = generate(read_model("models/structures/perforated-8x8.json"), options, context);
+  EXPECT_GT(result.report.qmorph.refused_side, 100u);
+  EXPECT_LT(result.report.qmorph.completion_triangles, 50u);
 }
 
 TEST(QMorph, FrontThatSpinsIsStopped) {
