@@ -21,6 +21,7 @@
 #include "io/read_model.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/names.hpp"
+#include "quadline/version.hpp"
 
 namespace quadline {
 
@@ -167,7 +168,7 @@ int run(const MeshArguments& arguments) {
   StageWatch watch;
   watch.enter("read");
   Run run;
-  run.version = QUADLINE_VERSION;
+  run.version = kVersion;
   run.model = read_model(arguments.model, arguments.options.size);
   run.options = arguments.options;
   run.threads = arguments.threads;

@@ -15,6 +15,7 @@
 namespace quadline {
 
 MeshResult generate(const Model& model, const Options& options, Context& context) {
+  check(options);
   Report report;
   const Domain domain = StageClock(report, context).run("arrange", [&] { return arrange(model, options, context); });
   report.tolerance = domain.tolerance;
