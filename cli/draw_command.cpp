@@ -2,7 +2,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
-#include "io/mesh_io.hpp"
+#include "quadline/io/mesh_io.hpp"
 #include "io/text/atomic_file.hpp"
 #include "quadline/errors.hpp"
 

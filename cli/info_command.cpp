@@ -6,7 +6,7 @@
 #include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
 #include "io/json/report_json.hpp"
-#include "io/read_model.hpp"
+#include "quadline/io/read_model.hpp"
 #include "io/text/names.hpp"
 #include "quadline/inspect.hpp"
 

@@ -1,6 +1,6 @@
 #include "io/found/found_mesh.hpp"
 #include "io/mesh_formats.hpp"
-#include "io/mesh_io.hpp"
+#include "quadline/io/mesh_io.hpp"
 #include "io/text/read_bytes.hpp"
 
 namespace quadline {

@@ -1,4 +1,4 @@
-#include "io/read_model.hpp"
+#include "quadline/io/read_model.hpp"
 
 #include <string>
 

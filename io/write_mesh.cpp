@@ -3,7 +3,7 @@
 
 #include "base/check.hpp"
 #include "io/mesh_formats.hpp"
-#include "io/mesh_io.hpp"
+#include "quadline/io/mesh_io.hpp"
 #include "io/svg/svg.hpp"
 #include "io/text/atomic_file.hpp"
 #include "quadline/errors.hpp"

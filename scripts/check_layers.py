@@ -31,6 +31,8 @@ NOT_IN_CORE = {"iostream", "fstream", "cstdio", "filesystem", "random", "format"
 
 def folder_of(path):
     parts = path.split("/")
+    if path.startswith(PUBLIC + "/io/"):  # the public doors of io, which open files
+        return "io"
     if path.startswith(PUBLIC):
         return PUBLIC
     if parts[0] == "src" and len(parts) > 2:

@@ -1,4 +1,4 @@
-#include "io/json/read_criteria.hpp"
+#include "quadline/io/read_criteria.hpp"
 
 #include <cmath>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json/parse_json.hpp"
-#include "io/mesh_formats.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/json.hpp"
 
 namespace quadline {
 namespace {

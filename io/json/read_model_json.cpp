@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "io/json/parse_json.hpp"
-#include "io/model_formats.hpp"
 #include "io/text/nearest_name.hpp"
 #include "io/text/number_text.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/json.hpp"
 
 namespace quadline {
 

@@ -71,7 +71,7 @@ class SizeField {
 /// @throws Cancelled when `context` asks for it.
 /// @throws InputError  Options::size_at gives what is no length or less than four tolerances, changes from place to
 /// place
-///                     faster than two million nodes of the tree can show, or asks for more than Options::max_quads.
+///                     faster than half a million nodes of the tree can show, or asks for more than Options::max_quads.
 /// Cost O(n log n) for n edges along the curves and nodes of the tree; Options::size_at is called nine times for each
 /// of these, some 50,000 times where it is smooth.
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context);

@@ -22,7 +22,7 @@ constexpr std::size_t kMaxNodes = std::size_t{1} << 23;
 constexpr int kWishDepth = 6;  // leaves that see the size function at least, 64 along a side
 constexpr double kBend =
     0.05;  // of the least size in a leaf: how far the size function may be from what its corners tell
-constexpr std::size_t kMaxBent = std::size_t{1} << 19;
+constexpr std::size_t kMaxBent = std::size_t{1} << 17;  // leaves split for the size function alone
 
 }  // namespace
 
