@@ -24,7 +24,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
   const auto read = [name, bounds, set](const std::string& text) {
     const auto value = parse_number<double>(text);
     if (!value || !std::isfinite(*value) || !set(*value))
-      throw InputError(name + ": expected " + bounds + ", found '" + text + "'");
+      throw InputError(ErrorCode::InvalidOption, name + ": expected " + bounds + ", found '" + text + "'");
   };
   return app.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
 }
@@ -41,7 +41,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
   const auto read = [name, &choice, words, expected](const std::string& text) {
     for (const auto& [word, meaning] : words)
       if (word == text) return void(choice = meaning);
-    throw InputError(name + ": expected " + expected + ", found '" + text + "'");
+    throw InputError(ErrorCode::InvalidOption, name + ": expected " + expected + ", found '" + text + "'");
   };
   return app.add_option_function<std::string>(name, read, help)->type_name(type);
 }
@@ -176,8 +176,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& arguments) {
 [[noreturn]] void refuse_word(const std::string& kind, const std::string& word, const std::string& dashes,
                               const std::vector<std::string>& known, const std::string& help) {
   const std::string nearest = nearest_name(word, known);
-  throw InputError("unknown " + kind + " '" + dashes + word +
-                   "': " + (nearest.empty() ? "see '" + help + "'" : "did you mean '" + dashes + nearest + "'?"));
+  throw InputError(ErrorCode::InvalidOption,
+                   "unknown " + kind + " '" + dashes + word +
+                       "': " + (nearest.empty() ? "see '" + help + "'" : "did you mean '" + dashes + nearest + "'?"));
 }
 
 /// @throws InputError  a command or a long option is none that there is: names the one that was probably meant.
@@ -231,10 +232,10 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     refuse_unknown_words(app, argc, argv);
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    throw InputError(std::string(error.what()) + ": see 'quadline" + command + " --help'");
+    throw InputError(ErrorCode::InvalidOption, std::string(error.what()) + ": see 'quadline" + command + " --help'");
   }
   if (app.get_subcommands().empty())
-    throw InputError("expected a command: mesh, check, info or draw: see 'quadline --help'");
+    throw InputError(ErrorCode::InvalidOption, "expected a command: mesh, check, info or draw: see 'quadline --help'");
   const CLI::App* chosen = app.get_subcommands().front();
   if (chosen == mesh_command) return mesh;
   if (chosen == check_command) return check;

@@ -7,13 +7,13 @@
 #include "cli/criteria_table.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/quality_table.hpp"
-#include "quadline/io/read_criteria.hpp"
 #include "io/json/report_json.hpp"
-#include "quadline/io/mesh_io.hpp"
-#include "quadline/io/read_model.hpp"
 #include "io/text/names.hpp"
 #include "quadline/faults.hpp"
 #include "quadline/inspect.hpp"
+#include "quadline/io/mesh_io.hpp"
+#include "quadline/io/read_criteria.hpp"
+#include "quadline/io/read_model.hpp"
 
 namespace quadline {
 
@@ -67,7 +67,7 @@ Verdict verdict_on(const CheckArguments& arguments) {
 
 std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   const Mesh& mesh = verdict.mesh;
-  std::string out = printable(arguments.mesh.string()) + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
+  std::string out = shown(arguments.mesh.string()) + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
                     counted(mesh.triangles.size(), "triangle", "triangles") + ", " +
                     counted(mesh.points.size(), "node", "nodes") + ", " +
                     counted(mesh.regions.size(), "region", "regions") + ", " +
@@ -80,7 +80,7 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   }
   if (verdict.all_quad && !mesh.triangles.empty()) out += "  - not all elements are quads\n";
   if (!arguments.model.empty() && !verdict.broken)
-    out += "against the model: kept: " + printable(arguments.model.string()) + '\n';
+    out += "against the model: kept: " + shown(arguments.model.string()) + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
   out += quality_table(verdict.quality) + corner_line(verdict.corners, verdict.quality) + worst_table(verdict.worst) +

@@ -6,9 +6,9 @@
 #include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
 #include "io/json/report_json.hpp"
-#include "quadline/io/read_model.hpp"
 #include "io/text/names.hpp"
 #include "quadline/inspect.hpp"
+#include "quadline/io/read_model.hpp"
 
 namespace quadline {
 
@@ -34,11 +34,10 @@ Facts facts_of(const InfoArguments& arguments) {
 std::string text_of(const Facts& facts) {
   const Model& model = facts.model;
   const ModelFacts& found = facts.found;
-  const std::string unit = model.units.empty() ? "" : ' ' + printable(model.units);
+  const std::string unit = model.units.empty() ? "" : ' ' + shown_name(model.units);
   const auto number = [](std::size_t n) { return std::to_string(n); };
-  std::string out =
-      printable((model.name.empty() ? model.file : model.name) + (model.about.empty() ? "" : ": " + model.about)) +
-      '\n';
+  std::string out = (model.name.empty() ? shown(model.file) : shown_name(model.name)) +
+                    (model.about.empty() ? "" : ": " + shown(model.about)) + '\n';
   const std::vector<std::pair<const char*, std::string>> rows = {
       {"size", rounded(found.size, 6) + unit},
       {"outer loops", number(model.outer.size())},

@@ -17,7 +17,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw InputError(message, Where{file_, path, {}});
+    throw InputError(ErrorCode::FileSyntax, message, Where{file_, path, {}});
   }
   const Json& list(const Json& object, const std::string& path, const char* key) const;
   std::string text(const Json& object, const std::string& path, const char* key) const;

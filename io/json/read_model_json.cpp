@@ -76,7 +76,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const Spot& at, const std::string& message) const {
-    throw InputError(message, Where{file_, at.path(), {}});
+    throw InputError(ErrorCode::FileSyntax, message, Where{file_, at.path(), {}});
   }
 
   template <class Visit>

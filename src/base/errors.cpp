@@ -22,7 +22,7 @@ std::string one_line(const std::string& message, const Where& where) {
   text += message;
   if (where.point) text += " at (" + text_of(where.point->x) + ", " + text_of(where.point->y) + ")";
   // Names come from files: one line, no codes for the terminal, and UTF-8 whatever the file holds.
-  return printable(text, ' ', '?');
+  return escaped(text);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ double median_ratio(const Mesh& mesh, const std::function<double(Point)>& size) 
 }
 
 TEST(SizeAt, EdgesOfAGradedPlateAreNearIt) {
-  const auto size = [](Point p) { return 0.2 + 0.07 * p.x; };
+  const auto size = [](Point p) { return 0.1 + 0.07 * p.x; };
   const MeshResult result = mesh_of({.size_at = size});
   ASSERT_FALSE(result.failure) << result.failure->reason;
   EXPECT_NEAR(median_ratio(result.mesh, size), 1, 0.15);
