@@ -12,6 +12,7 @@
 #include "io/text/nearest_name.hpp"
 #include "io/text/number_text.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/version.hpp"
 
 namespace quadline {
 
@@ -23,7 +24,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
   const auto read = [name, bounds, set](const std::string& text) {
     const auto value = parse_number<double>(text);
     if (!value || !std::isfinite(*value) || !set(*value))
-      throw InputError(name + ": expected " + bounds + ", found '" + text + "'");
+      throw InputError(ErrorCode::InvalidOption, name + ": expected " + bounds + ", found '" + text + "'");
   };
   return app.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
 }
@@ -40,7 +41,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
   const auto read = [name, &choice, words, expected](const std::string& text) {
     for (const auto& [word, meaning] : words)
       if (word == text) return void(choice = meaning);
-    throw InputError(name + ": expected " + expected + ", found '" + text + "'");
+    throw InputError(ErrorCode::InvalidOption, name + ": expected " + expected + ", found '" + text + "'");
   };
   return app.add_option_function<std::string>(name, read, help)->type_name(type);
 }
@@ -57,7 +58,7 @@ void add_size(CLI::App& app, Options& options) {
   add_number(app, "--size", "target edge length, instead of the model's and of a .poly's areas", "a length above 0",
              [&options](double value) {
                options.size = value;
-               return value > 0;
+               return kLengthRange.contains(value);
              });
 }
 
@@ -67,7 +68,7 @@ void add_tolerance(CLI::App& app, Options& options) {
              "model's diagonal, or 1e-3 of the least size where that is less",
              "a length above 0", [&options](double value) {
                options.tolerance = value;
-               return value > 0;
+               return kLengthRange.contains(value);
              });
 }
 
@@ -76,18 +77,18 @@ void add_arrangement_options(CLI::App& app, Options& options) {
   add_tolerance(app, options);
   const auto set_growth = [&options](double value) {
     options.growth = value;
-    return value > 1;
+    return kGrowthRange.contains(value);
   };
-  add_number(app, "--growth", "largest ratio of the sizes of neighbouring edges; default 1.3", "a number above 1",
+  add_number(app, "--growth", "largest ratio of the sizes of neighbouring edges; default 1.3", kGrowthRange.text(),
              set_growth);
   const auto set_per_circle = [&options](double value) {
     options.edges_per_circle = value;
-    return value >= 4;
+    return kEdgesPerCircleRange.contains(value);
   };
   add_number(
       app, "--edges-per-circle",
       "at least so many edges on a full turn of a curve; on circles small beside the sizes down to half; default 16",
-      "a number of 4 or more", set_per_circle);
+      kEdgesPerCircleRange.text(), set_per_circle);
 }
 
 // For CLI11: the complaint, empty where there is none.
@@ -126,9 +127,9 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
              set_threads);
   const auto set_max_quads = [&arguments](double value) {
     arguments.options.max_quads = value;
-    return value >= 1;
+    return kMaxQuadsRange.contains(value);
   };
-  add_number(*mesh, "--max-quads", "refuse models that are expected to need more; default 5e7", "a number of 1 or more",
+  add_number(*mesh, "--max-quads", "refuse models that are expected to need more; default 5e7", kMaxQuadsRange.text(),
              set_max_quads);
   mesh->add_option("--stages", arguments.stages, "write a .svg and a .vtu after every stage into this folder")
       ->check(refuse_empty)
@@ -175,8 +176,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& arguments) {
 [[noreturn]] void refuse_word(const std::string& kind, const std::string& word, const std::string& dashes,
                               const std::vector<std::string>& known, const std::string& help) {
   const std::string nearest = nearest_name(word, known);
-  throw InputError("unknown " + kind + " '" + dashes + word +
-                   "': " + (nearest.empty() ? "see '" + help + "'" : "did you mean '" + dashes + nearest + "'?"));
+  throw InputError(ErrorCode::InvalidOption,
+                   "unknown " + kind + " '" + dashes + word +
+                       "': " + (nearest.empty() ? "see '" + help + "'" : "did you mean '" + dashes + nearest + "'?"));
 }
 
 /// @throws InputError  a command or a long option is none that there is: names the one that was probably meant.
@@ -208,7 +210,7 @@ void refuse_unknown_words(const CLI::App& app, int argc, const char* const* argv
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
   CLI::App app("Quadline: all-quadrilateral meshes of plane domains, with element edges along every line constraint",
                "quadline");
-  app.set_version_flag("--version", std::string("quadline ") + QUADLINE_VERSION);
+  app.set_version_flag("--version", std::string("quadline ") + kVersion);
   MeshArguments mesh;
   CheckArguments check;
   InfoArguments info;
@@ -230,10 +232,10 @@ std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
     refuse_unknown_words(app, argc, argv);
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    throw InputError(std::string(error.what()) + ": see 'quadline" + command + " --help'");
+    throw InputError(ErrorCode::InvalidOption, std::string(error.what()) + ": see 'quadline" + command + " --help'");
   }
   if (app.get_subcommands().empty())
-    throw InputError("expected a command: mesh, check, info or draw: see 'quadline --help'");
+    throw InputError(ErrorCode::InvalidOption, "expected a command: mesh, check, info or draw: see 'quadline --help'");
   const CLI::App* chosen = app.get_subcommands().front();
   if (chosen == mesh_command) return mesh;
   if (chosen == check_command) return check;

@@ -1,4 +1,3 @@
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -8,17 +7,13 @@
 #include "cli/criteria_table.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/quality_table.hpp"
-#include "domain/arrange/arrange.hpp"
-#include "domain/corners.hpp"
-#include "io/json/read_criteria.hpp"
 #include "io/json/report_json.hpp"
-#include "io/mesh_io.hpp"
-#include "io/read_model.hpp"
 #include "io/text/names.hpp"
-#include "quadline/generate.hpp"
-#include "quality/mesh_faults.hpp"
-#include "stages/verify/fit_to_model.hpp"
-#include "stages/verify/verify.hpp"
+#include "quadline/faults.hpp"
+#include "quadline/inspect.hpp"
+#include "quadline/io/mesh_io.hpp"
+#include "quadline/io/read_criteria.hpp"
+#include "quadline/io/read_model.hpp"
 
 namespace quadline {
 
@@ -51,33 +46,28 @@ Verdict verdict_on(const CheckArguments& arguments) {
   context.is_cancelled = is_interrupted;
   std::optional<Criteria> criteria;
   if (!arguments.criteria.empty()) criteria = read_criteria(arguments.criteria);
-  Model model;
-  std::optional<Domain> domain;
-  bool is_sized = false;
-  Options options = arguments.options;
-  if (!arguments.model.empty()) {
-    model = read_model(arguments.model);
-    is_sized = model.size > 0;
-    if (!is_sized) options.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
-    domain = arrange(model, options, context);
-  }
+  std::optional<Model> model;
+  if (!arguments.model.empty()) model = read_model(arguments.model);
   verdict.mesh = read_mesh(arguments.mesh);
   std::vector<double> sizes;
-  if (is_sized) sizes = edge_sizes(verdict.mesh, model, options, context);
+  if (model) {
+    Verification against = verify(verdict.mesh, *model, arguments.options, context);
+    verdict.broken = std::move(against.broken);
+    verdict.corners = std::move(against.corners);
+    sizes = std::move(against.edge_sizes);
+  }
   verdict.quality = measure(verdict.mesh, sizes);
-  if (domain) verdict.corners = corners_of(*domain);
   verdict.worst = worst_quads(verdict.mesh, verdict.corners);
   verdict.lines = measure_lines(verdict.mesh, sizes);
   verdict.faults = find_faults(verdict.mesh);
   verdict.all_quad = arguments.all_quad;
   if (criteria) verdict.criteria = evaluate(verdict.mesh, *criteria, sizes);
-  if (domain) verdict.broken = verify(fit_to_model(verdict.mesh, *domain), *domain, context);
   return verdict;
 }
 
 std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   const Mesh& mesh = verdict.mesh;
-  std::string out = printable(arguments.mesh.string()) + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
+  std::string out = shown(arguments.mesh.string()) + ": " + counted(mesh.quads.size(), "quad", "quads") + ", " +
                     counted(mesh.triangles.size(), "triangle", "triangles") + ", " +
                     counted(mesh.points.size(), "node", "nodes") + ", " +
                     counted(mesh.regions.size(), "region", "regions") + ", " +
@@ -90,7 +80,7 @@ std::string text_of(const Verdict& verdict, const CheckArguments& arguments) {
   }
   if (verdict.all_quad && !mesh.triangles.empty()) out += "  - not all elements are quads\n";
   if (!arguments.model.empty() && !verdict.broken)
-    out += "against the model: kept: " + printable(arguments.model.string()) + '\n';
+    out += "against the model: kept: " + shown(arguments.model.string()) + '\n';
   if (const auto& broken = verdict.broken)
     out += "  - against the model: " + std::string(InputError(broken->reason, Where{{}, {}, broken->at}).what()) + '\n';
   out += quality_table(verdict.quality) + corner_line(verdict.corners, verdict.quality) + worst_table(verdict.worst) +

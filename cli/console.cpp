@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <system_error>
 
+#include "io/text/names.hpp"
 #include "quadline/errors.hpp"
 
 namespace quadline {
@@ -59,13 +60,13 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width;
   for (const auto& row : rows) {
     width.resize(std::max(width.size(), row.size()), 0);
-    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], shown_width(row[i]));
   }
   std::string out;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string fill(width[i] - row[i].size(), ' ');
+      const std::string fill(width[i] - shown_width(row[i]), ' ');
       line += (i == 0 ? "  " : "   ") + (i == 0 ? row[i] + fill : fill + row[i]);
     }
     line.resize(line.find_last_not_of(' ') + 1);

@@ -1,6 +1,7 @@
 #include "cli/criteria_table.hpp"
 
 #include "cli/console.hpp"
+#include "io/text/names.hpp"
 
 namespace quadline {
 
@@ -14,7 +15,7 @@ std::string line_of(std::size_t quad, double value, Point at) {
 }  // namespace
 
 std::string criteria_table(const std::string& name, const CriteriaResult& result) {
-  std::string out = name + ": " + counted(result.n_failing, "quad fails", "quads fail") + '\n';
+  std::string out = shown(name) + ": " + counted(result.n_failing, "quad fails", "quads fail") + '\n';
   for (const LimitResult& limit : result.limits) {
     out += "  " + std::string(limit.name) + ' ' + rounded(limit.limit, 4) + ": ";
     out += limit.is_checked ? std::to_string(limit.n_failing) : "not checked, the target size is unknown";

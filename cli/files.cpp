@@ -40,7 +40,8 @@ std::vector<fs::path> files_of_model(const fs::path& model) {
 void refuse_overwriting(const fs::path& output, const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs)
     if (is_same_file(output, input))
-      throw InputError("would overwrite what is read from it: choose another name", Where{output.string(), {}, {}});
+      throw InputError(ErrorCode::InvalidOption, "would overwrite what is read from it: choose another name",
+                       Where{output.string(), {}, {}});
 }
 
 }  // namespace quadline

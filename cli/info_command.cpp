@@ -3,13 +3,12 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/estimate.hpp"
 #include "cli/interrupt.hpp"
-#include "domain/arrange/arrange.hpp"
-#include "domain/expected_quads.hpp"
+#include "cli/model_size.hpp"
 #include "io/json/report_json.hpp"
-#include "io/read_model.hpp"
 #include "io/text/names.hpp"
+#include "quadline/inspect.hpp"
+#include "quadline/io/read_model.hpp"
 
 namespace quadline {
 
@@ -17,50 +16,46 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is known of a model; without the domain where the model is wrong.
+/// What is known of a model.
 struct Facts {
   Model model;
-  Domain domain;
-  double area = 0, expected_quads = 0;
+  ModelFacts found;
 };
 
 Facts facts_of(const InfoArguments& arguments) {
-  Facts facts{.model = read_model(arguments.model, arguments.options.size), .domain = {}};
+  Facts facts{.model = read_model(arguments.model, arguments.options.size), .found = {}};
   check_size_given(facts.model, arguments.options);
   Context context;
   context.is_cancelled = is_interrupted;
-  facts.domain = arrange(facts.model, arguments.options, context);
-  facts.area = area_of(facts.domain);
-  facts.expected_quads = expected_quads(facts.domain, arguments.options);
+  facts.found = describe(facts.model, arguments.options, context);
   return facts;
 }
 
 std::string text_of(const Facts& facts) {
   const Model& model = facts.model;
-  const Domain& domain = facts.domain;
-  const std::string unit = model.units.empty() ? "" : ' ' + printable(model.units);
+  const ModelFacts& found = facts.found;
+  const std::string unit = model.units.empty() ? "" : ' ' + shown_name(model.units);
   const auto number = [](std::size_t n) { return std::to_string(n); };
-  std::string out =
-      printable((model.name.empty() ? model.file : model.name) + (model.about.empty() ? "" : ": " + model.about)) +
-      '\n';
+  std::string out = (model.name.empty() ? shown(model.file) : shown_name(model.name)) +
+                    (model.about.empty() ? "" : ": " + shown(model.about)) + '\n';
   const std::vector<std::pair<const char*, std::string>> rows = {
-      {"size", rounded(domain.size, 6) + unit},
+      {"size", rounded(found.size, 6) + unit},
       {"outer loops", number(model.outer.size())},
       {"holes", number(model.holes.size())},
       {"lines", number(model.lines.size())},
       {"points", number(model.points.size())},
       {"regions", number(model.regions.size())},
-      {"cells", number(domain.cells.count())},
-      {"curves between vertices", number(domain.curves.count())},
-      {"vertices", number(domain.vertices.count())},
-      {"area", rounded(facts.area, 6) + (unit.empty() ? "" : unit + "^2")},
-      {"box", '(' + rounded(domain.box.lo.x, 6) + ", " + rounded(domain.box.lo.y, 6) + ") to (" +
-                  rounded(domain.box.hi.x, 6) + ", " + rounded(domain.box.hi.y, 6) + ')'},
-      {"tolerance", rounded(domain.tolerance, 3) + unit},
-      {"expected quads", "about " + rounded(facts.expected_quads, 2)},
-      {"mended", counted(domain.findings.size(), "finding", "findings")}};
+      {"cells", number(found.n_cells)},
+      {"curves between vertices", number(found.n_curves)},
+      {"vertices", number(found.n_vertices)},
+      {"area", rounded(found.expected.area, 6) + (unit.empty() ? "" : unit + "^2")},
+      {"box", '(' + rounded(found.low.x, 6) + ", " + rounded(found.low.y, 6) + ") to (" + rounded(found.high.x, 6) +
+                  ", " + rounded(found.high.y, 6) + ')'},
+      {"tolerance", rounded(found.tolerance, 3) + unit},
+      {"expected quads", "about " + rounded(found.expected.quads, 2)},
+      {"mended", counted(found.findings.size(), "finding", "findings")}};
   for (const auto& [name, value] : rows) out += "  " + std::string(name) + ": " + value + '\n';
-  for (const Finding& finding : domain.findings)
+  for (const Finding& finding : found.findings)
     out += "  - " +
            std::string(InputError(loudness(finding) + finding.text, Where{{}, finding.place, finding.at}).what()) +
            '\n';
@@ -69,26 +64,26 @@ std::string text_of(const Facts& facts) {
 
 Json json_of(const Facts& facts) {
   const Model& model = facts.model;
-  const Domain& domain = facts.domain;
+  const ModelFacts& found = facts.found;
   return {{"ok", true},
           {"file", model.file},
           {"name", model.name},
           {"about", model.about},
           {"units", model.units},
-          {"size", domain.size},
+          {"size", found.size},
           {"outer_loops", model.outer.size()},
           {"holes", model.holes.size()},
           {"lines", model.lines.size()},
           {"points", model.points.size()},
           {"regions", model.regions.size()},
-          {"cells", domain.cells.count()},
-          {"curves", domain.curves.count()},
-          {"vertices", domain.vertices.count()},
-          {"area", facts.area},
-          {"box", {quadline::json_of(domain.box.lo), quadline::json_of(domain.box.hi)}},
-          {"tolerance", domain.tolerance},
-          {"expected_quads", facts.expected_quads},
-          {"findings", quadline::json_of(domain.findings)}};
+          {"cells", found.n_cells},
+          {"curves", found.n_curves},
+          {"vertices", found.n_vertices},
+          {"area", found.expected.area},
+          {"box", {quadline::json_of(found.low), quadline::json_of(found.high)}},
+          {"tolerance", found.tolerance},
+          {"expected_quads", found.expected.quads},
+          {"findings", quadline::json_of(found.findings)}};
 }
 
 Json json_of(const InputError& error) {

@@ -9,18 +9,19 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/criteria_table.hpp"
-#include "cli/estimate.hpp"
 #include "cli/files.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/model_size.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/quality_table.hpp"
 #include "cli/threads.hpp"
-#include "io/json/read_criteria.hpp"
 #include "io/json/report_json.hpp"
-#include "io/mesh_io.hpp"
-#include "io/read_model.hpp"
 #include "io/text/atomic_file.hpp"
 #include "io/text/names.hpp"
+#include "quadline/io/mesh_io.hpp"
+#include "quadline/io/read_criteria.hpp"
+#include "quadline/io/read_model.hpp"
+#include "quadline/version.hpp"
 
 namespace quadline {
 
@@ -106,18 +107,20 @@ void check_outputs(const MeshArguments& arguments) {
   std::vector<fs::path> files;
   for (const std::string& output : arguments.outputs) files.push_back(mesh_file(output).path);
   if (files.empty() && arguments.report.empty() && arguments.stages.empty() && !arguments.json)
-    throw InputError("expected a file to write: give -o FILE");
+    throw InputError(ErrorCode::InvalidOption, "expected a file to write: give -o FILE");
   if (!arguments.report.empty()) files.push_back(arguments.report);
   std::vector<fs::path> inputs = files_of_model(arguments.model);
   if (!arguments.criteria.empty()) inputs.push_back(arguments.criteria);
   for (std::size_t i = 0; i < files.size(); ++i) {
     refuse_overwriting(files[i], inputs);
     for (std::size_t j = 0; j < i; ++j)
-      if (is_same_file(files[i], files[j])) throw InputError("is given twice", Where{files[i].string(), {}, {}});
+      if (is_same_file(files[i], files[j]))
+        throw InputError(ErrorCode::InvalidOption, "is given twice", Where{files[i].string(), {}, {}});
     check_can_write(files[i]);
   }
   if (arguments.json && takes_standard_output(arguments))
-    throw InputError("standard output takes a file already: give --report FILE instead of --json");
+    throw InputError(ErrorCode::InvalidOption,
+                     "standard output takes a file already: give --report FILE instead of --json");
 }
 
 void write_files(const MeshArguments& arguments, Run& run, StageWatch& watch) {
@@ -150,14 +153,14 @@ std::string on_lines(const Mesh& mesh) {
 
 std::string summary(const Run& run) {
   const Report& report = run.result.report;
-  std::string out = printable(run.model.name.empty() ? run.model.file : run.model.name);
+  std::string out = run.model.name.empty() ? shown(run.model.file) : shown_name(run.model.name);
   out += ": " + counted(report.quality.n_quads, "quad", "quads") + ", " +
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
   out += on_lines(run.result.mesh);
   out += before_and_after(report.before_smoothing, report.quality);
   out += corner_line(report.corners, report.quality) + worst_table(report.worst) + line_table(report.lines);
   if (!run.criteria_name.empty()) out += criteria_table(run.criteria_name, run.criteria);
-  for (const fs::path& file : run.files) out += "written: " + printable(file.string()) + '\n';
+  for (const fs::path& file : run.files) out += "written: " + shown(file.string()) + '\n';
   return out;
 }
 
@@ -168,7 +171,7 @@ int run(const MeshArguments& arguments) {
   StageWatch watch;
   watch.enter("read");
   Run run;
-  run.version = QUADLINE_VERSION;
+  run.version = kVersion;
   run.model = read_model(arguments.model, arguments.options.size);
   run.options = arguments.options;
   run.threads = arguments.threads;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/console.hpp"
+#include "io/text/names.hpp"
 
 namespace quadline {
 
@@ -83,8 +84,9 @@ std::string line_table(std::vector<LineQuality> lines) {
                             "angles", "edge / size", "irregular", "off normal"}};
   for (const LineQuality& line : lines) {
     const auto& r = line.edge_to_size;
-    rows.push_back({line.name, std::to_string(line.n_edges), std::to_string(line.n_quads), fixed(line.beta_min, 3),
-                    fixed(line.beta_mean, 3), fixed(line.scaled_jacobian_min, 3), fixed(line.scaled_jacobian_mean, 3),
+    rows.push_back({shown_name(line.name), std::to_string(line.n_edges), std::to_string(line.n_quads),
+                    fixed(line.beta_min, 3), fixed(line.beta_mean, 3), fixed(line.scaled_jacobian_min, 3),
+                    fixed(line.scaled_jacobian_mean, 3),
                     fixed(line.min_angle_deg, 0) + ".." + fixed(line.max_angle_deg, 0),
                     r ? fixed(r->min, 2) + ".." + fixed(r->max, 2) : "-", std::to_string(line.n_irregular),
                     line.off_normal_deg ? fixed(*line.off_normal_deg, 1) : "-"});

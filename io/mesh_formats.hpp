@@ -3,16 +3,17 @@
 #include <string>
 #include <string_view>
 
+#include "quadline/json.hpp"
 #include "quadline/mesh.hpp"
 
 namespace quadline {
 
-// The formats of `write_mesh` and `read_mesh`, to and from memory. docs/output.md describes them.
+// The formats of `write_mesh` and `read_mesh`, to and from memory; those of JSON stand in quadline/json.hpp.
+// docs/output.md describes them.
 
-std::string to_vtu(const Mesh& mesh);        ///< VTK XML unstructured grid, appended raw, zlib-compressed
-std::string to_msh(const Mesh& mesh);        ///< Gmsh 4.1, text
-std::string to_inp(const Mesh& mesh);        ///< Abaqus and CalculiX
-std::string to_mesh_json(const Mesh& mesh);  ///< "quadline-mesh" version 1: the Mesh, whole
+std::string to_vtu(const Mesh& mesh);  ///< VTK XML unstructured grid, appended raw, zlib-compressed
+std::string to_msh(const Mesh& mesh);  ///< Gmsh 4.1, text
+std::string to_inp(const Mesh& mesh);  ///< Abaqus and CalculiX
 
 /// Each reader throws InputError for what it cannot read, with `file` and the line or byte.
 /// Memory stays within a fixed multiple of the bytes given, whatever counts they claim.
@@ -20,6 +21,5 @@ Mesh parse_vtu(std::string_view bytes, const std::string& file);
 Mesh parse_vtk(std::string_view bytes, const std::string& file);  ///< legacy VTK, text and binary: no names
 Mesh parse_msh(std::string_view bytes, const std::string& file);  ///< 2.2 and 4.1, text and binary
 Mesh parse_inp(std::string_view bytes, const std::string& file);
-Mesh parse_mesh_json(std::string_view bytes, const std::string& file);
 
 }  // namespace quadline

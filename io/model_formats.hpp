@@ -4,16 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "quadline/json.hpp"
 #include "quadline/model.hpp"
 
 namespace quadline {
 
-// The formats of `read_model`, from memory. docs/input.md describes them.
-
-/// Model v1. Numbers are checked to be numbers, not to make sense: that is for `arrange`. Model::size is 0 where none
-/// is given.
-/// @throws InputError  with the JSON path, or line and column where the text is no JSON.
-Model read_model_json(std::string_view text, const std::string& file);
+// The formats of `read_model`, from memory; JSON stands in quadline/json.hpp. docs/input.md describes them.
 
 /// Triangle's planar straight-line graph. Its boundary loops become outer loops and holes, all other
 /// segments lines; it has no target size, so Model::size is 0.

@@ -1,7 +1,7 @@
 #include "io/found/found_mesh.hpp"
 #include "io/mesh_formats.hpp"
-#include "io/mesh_io.hpp"
 #include "io/text/read_bytes.hpp"
+#include "quadline/io/mesh_io.hpp"
 
 namespace quadline {
 
@@ -18,7 +18,8 @@ Mesh read_mesh(const std::filesystem::path& file) {
   if (begins_with("# vtk")) return parse_vtk(all, name);
   if (begins_with("{")) return parse_mesh_json(all, name);
   if (begins_with("*")) return parse_inp(all, name);
-  SourceFile{all, name}.fail("no mesh that can be read: .vtu, .vtk, .msh (2.2 and 4.1), .inp and .json can");
+  SourceFile{all, name}.fail("no mesh that can be read: .vtu, .vtk, .msh (2.2 and 4.1), .inp and .json can",
+                             ErrorCode::UnknownFormat);
 }
 
 }  // namespace quadline

@@ -1,4 +1,4 @@
-#include "io/read_model.hpp"
+#include "quadline/io/read_model.hpp"
 
 #include <string>
 
@@ -20,7 +20,8 @@ Model read_model(const std::filesystem::path& file, std::optional<double> size) 
       if (size) region.size.reset();
     return model;
   }
-  throw InputError("the format '" + extension + "' is unknown: a model is a .json (model v1) or a .poly file",
+  throw InputError(ErrorCode::UnknownFormat,
+                   "the format '" + extension + "' is unknown: a model is a .json (model v1) or a .poly file",
                    Where{file.string(), {}, {}});
 }
 

@@ -3,10 +3,10 @@
 
 #include "base/check.hpp"
 #include "io/mesh_formats.hpp"
-#include "io/mesh_io.hpp"
 #include "io/svg/svg.hpp"
 #include "io/text/atomic_file.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/io/mesh_io.hpp"
 
 namespace quadline {
 namespace {
@@ -72,12 +72,14 @@ std::optional<MeshFile> find_mesh_file(const std::string& text) {
 
 MeshFile mesh_file(const std::string& text) {
   if (const std::optional<MeshFile> file = find_mesh_file(text)) {
-    if (file->path.empty()) throw InputError("no file is named behind the format", Where{text, {}, {}});
+    if (file->path.empty())
+      throw InputError(ErrorCode::InvalidOption, "no file is named behind the format", Where{text, {}, {}});
     return *file;
   }
-  if (text.empty()) throw InputError("the name of a file to write is empty");
+  if (text.empty()) throw InputError(ErrorCode::InvalidOption, "the name of a file to write is empty");
   const std::string extension = std::filesystem::path(text).extension().string();
-  throw InputError("the format '" + extension + "' is unknown: use .vtu, .msh, .inp, .svg or .json" +
+  throw InputError(ErrorCode::UnknownFormat,
+                   "the format '" + extension + "' is unknown: use .vtu, .msh, .inp, .svg or .json" +
                        (extension.empty() ? ", or name the format: vtu:" + text : ""),
                    Where{text, {}, {}});
 }

@@ -79,11 +79,12 @@ Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache
 }
 
 MeshResult generate(const Model& model, const Options& options, Context& context) {
+  check(options);
   StageClock clock;
   FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
   CellCache cache(plan.domain().cells.count());
   Attempt last = attempt_mesh(plan, options, cache, clock, context);
-  if (!last.too_many.empty()) throw InputError(last.too_many, Where{model.file, {}, {}});
+  if (!last.too_many.empty()) throw InputError(ErrorCode::TooManyQuads, last.too_many, Where{model.file, {}, {}});
 
   std::optional<MeshResult> first;
   if (last.result.failure) first = last.result;

@@ -10,6 +10,14 @@
 namespace quadline {
 
 /// What a run shares with its caller: progress, cancelling, threads, snapshots. Every member may stay empty.
+///
+///     std::atomic<bool> stop = false;  // set by another thread, or by a button
+///     quadline::Context context;
+///     context.on_progress = [](std::string_view stage, double fraction) { show(stage, fraction); };
+///     context.is_cancelled = [&] { return stop.load(); };
+///     context.run_all = [&](std::size_t n, const std::function<void(std::size_t)>& job) { pool.for_each(n, job); };
+///     const quadline::MeshResult result = quadline::generate(model, {}, context);  // throws Cancelled once `stop` is
+///     set
 struct Context {
   /// Tells what part of a stage is done, 0..1. Where `run_all` uses threads it is called from them, also at once.
   std::function<void(std::string_view stage, double fraction)> on_progress;

@@ -30,7 +30,7 @@ struct Criteria {
 
 /// One limit of `Criteria` by its name.
 struct CriteriaField {
-  std::string_view name;
+  std::string_view name;  ///< of the member: "min_angle_deg"
   std::optional<double> Criteria::* limit;
   bool is_least;     ///< values below it fail, not values above
   bool to_size;      ///< needs the target size
@@ -47,21 +47,22 @@ std::optional<Criteria> named_criteria(std::string_view name);
 struct FailingQuad {
   std::size_t quad = 0;  ///< index into Mesh::quads
   Point at;              ///< mean of its corners
-  double value = 0;
+  double value = 0;      ///< what the limit is for, in its unit
 };
 
 /// How a mesh stands to one limit.
 struct LimitResult {
-  std::string_view name;
-  double limit = 0;
+  std::string_view name;   ///< as in `criteria_fields`
+  double limit = 0;        ///< as asked
   bool is_checked = true;  ///< false: the limit is over the target size, which is unknown
   std::size_t n_failing = 0;
   std::vector<FailingQuad> worst;  ///< up to five, the worst first, equal ones by index
 };
 
+/// How a mesh stands to all limits that are given.
 struct CriteriaResult {
-  std::size_t n_failing = 0;  ///< quads that fail at least one limit
-  std::vector<LimitResult> limits;
+  std::size_t n_failing = 0;        ///< quads that fail at least one limit
+  std::vector<LimitResult> limits;  ///< in the order of `criteria_fields`
 };
 
 /// Holds the quads of a mesh against limits; triangles are not looked at.

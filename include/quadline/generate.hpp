@@ -12,9 +12,10 @@
 
 namespace quadline {
 
+/// What `generate` gives.
 struct MeshResult {
-  Mesh mesh;  ///< the best mesh so far where `failure` is set
-  Report report;
+  Mesh mesh;                       ///< the best mesh so far where `failure` is set
+  Report report;                   ///< counts, findings, times and quality
   std::vector<double> edge_sizes;  ///< target size at the middle of each of edges_of(mesh), model units; may be empty
                                    ///< where `failure` is set
   std::optional<Failure> failure;  ///< empty: valid, all quadrilaterals, every constraint in it

@@ -9,21 +9,27 @@
 
 namespace quadline {
 
+/// Index into Mesh::points, from 0.
 using NodeIndex = std::uint32_t;
 
-enum class CurveKind { Outer, Hole, Line };
+/// What a curve of a mesh is in the model.
+enum class CurveKind {
+  Outer,  ///< an outer loop
+  Hole,   ///< the loop of a hole
+  Line,   ///< a line constraint
+};
 
 /// The mesh edges along one curve of the model, in order along it.
 struct EdgeSet {
-  std::string name;
-  CurveKind kind = CurveKind::Line;
+  std::string name;                             ///< the model's, or "outer-1", "hole-2", "line-3"; no two alike
+  CurveKind kind = CurveKind::Line;             ///< what it is in the model
   std::vector<std::array<NodeIndex, 2>> edges;  ///< n_edges x 2, in the direction of the curve
 };
 
 /// The node of a point constraint.
 struct NodeSet {
-  std::string name;
-  std::vector<NodeIndex> nodes;
+  std::string name;              ///< the model's, no two alike
+  std::vector<NodeIndex> nodes;  ///< one from `generate`; meshes from files may have more
 };
 
 /// A mesh as users see it: flat arrays, no connectivity.

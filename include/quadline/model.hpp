@@ -10,12 +10,13 @@ namespace quadline {
 
 /// A step of a path: a straight line to `to`, or the circular arc to `to` through `via`.
 struct PathItem {
-  Point to;
-  std::optional<Point> via{};
+  Point to;                    ///< model units, finite
+  std::optional<Point> via{};  ///< a place on the arc between its ends, model units; empty: a straight line
 };
 
+/// A whole circle.
 struct Circle {
-  Point center;
+  Point center;       ///< model units
   double radius = 0;  ///< model units, > 0
 };
 
@@ -31,39 +32,39 @@ struct Path {
 
 /// A line constraint: element edges will follow it from end to end.
 struct Line {
-  std::string name{};
-  Path path{};
-  std::optional<double> size{};  ///< target edge length at the line, model units
+  std::string name{};            ///< empty: "line-3", by its place in Model::lines
+  Path path{};                   ///< from end to end; may cross, touch and overlap others
+  std::optional<double> size{};  ///< target edge length at the line, model units, > 0; empty: that of the cells beside
 };
 
 /// A point constraint: a mesh node will stand there.
 struct NamedPoint {
-  std::string name{};
-  Point at{};
-  std::optional<double> size{};  ///< target edge length at the point, model units
-  std::string where{};
+  std::string name{};            ///< empty: "point-3", by its place in Model::points
+  Point at{};                    ///< model units
+  std::optional<double> size{};  ///< target edge length at the point, model units, > 0; empty: that of the cell
+  std::string where{};           ///< place in the file, for messages
 };
 
 /// Names the cell (piece of the domain between the lines) that holds the point `at`.
 struct Region {
-  std::string name{};
-  Point at{};
-  std::optional<double> size{};  ///< target edge length inside the cell, model units
-  std::string where{};
+  std::string name{};            ///< of the cell's quads, in Mesh::regions
+  Point at{};                    ///< inside the cell, model units
+  std::optional<double> size{};  ///< target edge length inside the cell, model units, > 0; empty: Model::size
+  std::string where{};           ///< place in the file, for messages
 };
 
 /// The input: a plane domain with holes, line constraints, point constraints and regions ("model v1").
 struct Model {
-  std::string name{};
-  std::string about{};
-  std::string units{};
-  std::string file{};  ///< for messages only
-  double size = 0;     ///< target edge length, model units, > 0
-  std::vector<Path> outer{};
-  std::vector<Path> holes{};
-  std::vector<Line> lines{};
-  std::vector<NamedPoint> points{};
-  std::vector<Region> regions{};
+  std::string name{};                ///< for people only, as the next two
+  std::string about{};               ///< a line on what it is
+  std::string units{};               ///< "mm"; nothing is converted
+  std::string file{};                ///< for messages only
+  double size = 0;                   ///< target edge length, model units, > 0 unless Options::size is given
+  std::vector<Path> outer{};         ///< one loop at least, in any direction
+  std::vector<Path> holes{};         ///< loops inside the outer ones, in any direction
+  std::vector<Line> lines{};         ///< parts outside the domain are trimmed
+  std::vector<NamedPoint> points{};  ///< those outside the domain are dropped
+  std::vector<Region> regions{};     ///< names of cells; the others are "domain"
 };
 
 }  // namespace quadline

@@ -12,15 +12,16 @@ namespace quadline {
 
 /// Something found in the input and mended, or worth a warning.
 struct Finding {
-  std::string text;   ///< one line: what was found and what was done
-  std::string place;  ///< place in the file, if known
-  Point at;
+  std::string text;      ///< one line: what was found and what was done
+  std::string place;     ///< place in the file, if known
+  Point at;              ///< model units
   bool is_loss = false;  ///< the mesh lacks something that the model holds
 };
 
+/// How long a stage took.
 struct StageTime {
-  std::string stage;
-  double elapsed_s = 0;
+  std::string stage;     ///< as Context::on_progress names it; stands again for every further attempt
+  double elapsed_s = 0;  ///< without the snapshots
 };
 
 /// What Q-Morph did: how often each of the cases of [Owen1999] and [Lee2003] came up.
@@ -58,10 +59,10 @@ struct MorphCounts {
 
 /// What a run did.
 struct Report {
-  double tolerance = 0;  ///< distance below which points are one, model units
-  std::size_t n_cells = 0, n_curves = 0, n_vertices = 0;
-  std::vector<Finding> findings;
-  std::vector<StageTime> stages;
+  double tolerance = 0;                                   ///< distance below which points are one, model units
+  std::size_t n_cells = 0, n_curves = 0, n_vertices = 0;  ///< of the arrangement that the model makes
+  std::vector<Finding> findings;                          ///< of the model, then of the fall-backs
+  std::vector<StageTime> stages;                          ///< in their order
   MorphCounts qmorph;               ///< of all cells, each with the triangles whose quads the mesh has
   Quality before_smoothing;         ///< as Q-Morph leaves the mesh
   Quality quality;                  ///< of the final mesh

@@ -12,14 +12,16 @@ namespace quadline {
 void SourceFile::fail_at_line(std::size_t offset, const std::string& message) const {
   const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(offset, bytes.size()));
   const auto line = std::count(bytes.begin(), end, '\n') + 1;
-  throw InputError(message, Where{name, "line " + std::to_string(line), {}});
+  throw InputError(ErrorCode::FileSyntax, message, Where{name, "line " + std::to_string(line), {}});
 }
 
 void SourceFile::fail_at_byte(std::size_t offset, const std::string& message) const {
-  throw InputError(message, Where{name, "byte " + std::to_string(offset), {}});
+  throw InputError(ErrorCode::FileSyntax, message, Where{name, "byte " + std::to_string(offset), {}});
 }
 
-void SourceFile::fail(const std::string& message) const { throw InputError(message, Where{name, {}, {}}); }
+void SourceFile::fail(const std::string& message, ErrorCode code) const {
+  throw InputError(code, message, Where{name, {}, {}});
+}
 
 bool Numbering::close() {
   std::sort(entries_.begin(), entries_.end());
@@ -173,7 +175,7 @@ void check_plane(const FoundMesh& found, const SourceFile& file) {
   for (std::size_t i = 0; i < found.z.size(); ++i) {
     const Point p = found.mesh.points[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(found.z[i]))
-      file.fail("node " + std::to_string(i + 1) + " has a coordinate that is no finite number");
+      file.fail("node " + std::to_string(i + 1) + " has a coordinate that is no finite number", ErrorCode::InvalidMesh);
     lo = {std::min(lo.x, p.x), std::min(lo.y, p.y)};
     hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
     z_lo = std::min(z_lo, found.z[i]);
@@ -184,7 +186,7 @@ void check_plane(const FoundMesh& found, const SourceFile& file) {
     append_number(range, z_lo);
     range += " to ";
     append_number(range, z_hi);
-    file.fail("the mesh does not lie in a plane z = constant: z goes from " + range);
+    file.fail("the mesh does not lie in a plane z = constant: z goes from " + range, ErrorCode::InvalidMesh);
   }
 }
 
@@ -208,7 +210,8 @@ bool sort_nodes(Numbering& numbers, FoundMesh& found) {
 }
 
 Mesh plane_mesh(FoundMesh found, const SourceFile& file) {
-  if (found.mesh.quads.empty() && found.mesh.triangles.empty()) file.fail("no quad or triangle in it");
+  if (found.mesh.quads.empty() && found.mesh.triangles.empty())
+    file.fail("no quad or triangle in it", ErrorCode::InvalidMesh);
   check_plane(found, file);
   turn_if_seen_from_below(found.mesh);
   find_loops(found.mesh);

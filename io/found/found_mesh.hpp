@@ -18,7 +18,7 @@ struct SourceFile {
 
   [[noreturn]] void fail_at_line(std::size_t offset, const std::string& message) const;
   [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& message) const;
-  [[noreturn]] void fail(const std::string& message) const;
+  [[noreturn]] void fail(const std::string& message, ErrorCode code = ErrorCode::FileSyntax) const;
 };
 
 /// From the node or element numbers of a file to indices. Numbers may have gaps and any order.

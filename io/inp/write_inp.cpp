@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/utf8.hpp"
 #include "io/found/edge_groups.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/text/names.hpp"

@@ -48,15 +48,17 @@ class Builder : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     keys_.back() = name;
     if (open_.back()->contains(name))
-      throw InputError("the key '" + name + "' stands twice in this object: take one out", where(path_of_next()));
+      throw InputError(ErrorCode::FileSyntax, "the key '" + name + "' stands twice in this object: take one out",
+                       where(path_of_next()));
     return true;
   }
 
   bool parse_error(std::size_t byte, const std::string& last, const nlohmann::detail::exception& error) override {
     constexpr int kOutOfRange = 406;
     if (error.id == kOutOfRange)
-      throw InputError("the number " + last.substr(0, 40) + " is too large", where(path_of_next()));
-    throw InputError("no valid JSON: " + reason_of(error.what()), where(line_and_column(byte)));
+      throw InputError(ErrorCode::FileSyntax, "the number " + last.substr(0, 40) + " is too large",
+                       where(path_of_next()));
+    throw InputError(ErrorCode::FileSyntax, "no valid JSON: " + reason_of(error.what()), where(line_and_column(byte)));
   }
 
  private:
@@ -79,7 +81,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
   bool open(Json value) {
     if (open_.size() == kDeepest)
-      throw InputError("lists or objects nested more than " + std::to_string(kDeepest) + " deep",
+      throw InputError(ErrorCode::FileSyntax, "lists or objects nested more than " + std::to_string(kDeepest) + " deep",
                        where(path_of_next()));
     open_.push_back(put(std::move(value)));
     keys_.emplace_back();
@@ -126,8 +128,9 @@ nlohmann::json parse_json(std::string_view bytes, const std::string& file) {
   const Where where{file, {}, {}};
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    throw InputError("is UTF-16: save it as UTF-8", where);
-  if (bytes.find_first_not_of(" \t\r\n") == bytes.npos) throw InputError("the file is empty", where);
+    throw InputError(ErrorCode::FileSyntax, "is UTF-16: save it as UTF-8", where);
+  if (bytes.find_first_not_of(" \t\r\n") == bytes.npos)
+    throw InputError(ErrorCode::FileSyntax, "the file is empty", where);
   Builder builder(bytes, file);
   Json::sax_parse(bytes, &builder);
   return builder.take();

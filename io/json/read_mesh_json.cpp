@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/json/parse_json.hpp"
-#include "io/mesh_formats.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/json.hpp"
 
 namespace quadline {
 namespace {
@@ -17,7 +17,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw InputError(message, Where{file_, path, {}});
+    throw InputError(ErrorCode::FileSyntax, message, Where{file_, path, {}});
   }
   const Json& list(const Json& object, const std::string& path, const char* key) const;
   std::string text(const Json& object, const std::string& path, const char* key) const;

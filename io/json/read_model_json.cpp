@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "io/json/parse_json.hpp"
-#include "io/model_formats.hpp"
 #include "io/text/nearest_name.hpp"
 #include "io/text/number_text.hpp"
 #include "quadline/errors.hpp"
+#include "quadline/json.hpp"
 
 namespace quadline {
 
@@ -76,7 +76,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const Spot& at, const std::string& message) const {
-    throw InputError(message, Where{file_, at.path(), {}});
+    throw InputError(ErrorCode::FileSyntax, message, Where{file_, at.path(), {}});
   }
 
   template <class Visit>

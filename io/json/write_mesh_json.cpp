@@ -1,8 +1,8 @@
 // Our own format: the arrays of Mesh as they are. docs/output.md describes it.
 
-#include "io/mesh_formats.hpp"
 #include "io/text/names.hpp"
 #include "io/text/number_text.hpp"
+#include "quadline/json.hpp"
 
 namespace quadline {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/utf8.hpp"
 #include "io/found/edge_groups.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/text/names.hpp"

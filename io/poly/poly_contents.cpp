@@ -41,7 +41,8 @@ class Lines {
   std::size_t word_count() const { return words_.size(); }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(message, Where{file_, number_ == 0 ? "" : "line " + std::to_string(number_), {}});
+    throw InputError(ErrorCode::FileSyntax, message,
+                     Where{file_, number_ == 0 ? "" : "line " + std::to_string(number_), {}});
   }
 
   template <class Number>

@@ -8,6 +8,7 @@ namespace quadline {
 namespace {
 
 constexpr std::size_t kLongestName = 80;
+constexpr std::size_t kLongestShown = 32;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -15,7 +16,11 @@ bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 
 
 }  // namespace
 
-std::string printable(std::string_view name) { return printable(name, '_', '_'); }
+std::string shown(std::string_view text) { return escaped(text); }
+
+std::string shown_name(std::string_view name) { return shortened(escaped(name), kLongestShown); }
+
+std::size_t shown_width(std::string_view text) { return character_count(text); }
 
 std::string SetNames::make(std::string_view wanted) {
   std::string name;

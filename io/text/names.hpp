@@ -1,13 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
 
 namespace quadline {
 
-/// The name with '_' in place of control characters and of bytes that are not UTF-8.
-std::string printable(std::string_view name);
+/// A text as the program shows it: on one line, control characters and bytes that are not UTF-8 escaped ("\n", "\x1b").
+std::string shown(std::string_view text);
+
+/// A name as a table shows it: as `shown`, and at most 32 characters, "stiffener-of-th…-of-frame-17".
+std::string shown_name(std::string_view name);
+
+/// Columns that a shown text takes: its characters, not its bytes.
+std::size_t shown_width(std::string_view text);
 
 /// Makes names that Abaqus and CalculiX take: letters, digits, '_' and '-', a letter first, at most 80 characters,
 /// no two alike whatever their case. Keeps the spelling as far as these rules allow.

@@ -12,7 +12,8 @@ namespace quadline {
 
 std::string read_bytes(const std::filesystem::path& file) {
   const auto fail = [&](int reason) {
-    throw InputError("cannot be read: " + std::generic_category().message(reason), Where{file.string(), {}, {}});
+    throw InputError(ErrorCode::FileUnreadable, "cannot be read: " + std::generic_category().message(reason),
+                     Where{file.string(), {}, {}});
   };
   struct Close {
     void operator()(std::FILE* stream) const { std::fclose(stream); }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 
+#include "base/utf8.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/text/names.hpp"
 #include "io/text/number_text.hpp"

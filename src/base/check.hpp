@@ -1,14 +1,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "quadline/errors.hpp"
 
 namespace quadline {
 
-[[noreturn]] inline void check_failed(const char* condition, const char* file, int line) {
-  throw InternalError(std::string("internal check failed: ") + condition + " (" + file + ":" + std::to_string(line) +
-                      ")");
+/// @param file  of which the folders are left out: they tell where it was built, which is nobody's business.
+[[noreturn]] inline void check_failed(const char* condition, std::string_view file, int line) {
+  file.remove_prefix(file.find_last_of("/\\") + 1);  // npos + 1 is 0
+  throw InternalError(std::string("internal check failed: ") + condition + " (" + std::string(file) + ":" +
+                      std::to_string(line) + ")");
 }
 
 }  // namespace quadline

@@ -22,12 +22,38 @@ std::string one_line(const std::string& message, const Where& where) {
   text += message;
   if (where.point) text += " at (" + text_of(where.point->x) + ", " + text_of(where.point->y) + ")";
   // Names come from files: one line, no codes for the terminal, and UTF-8 whatever the file holds.
-  return printable(text, ' ', '?');
+  return escaped(text);
 }
 
 }  // namespace
 
-Error::Error(const std::string& message, Where where)
-    : std::runtime_error(one_line(message, where)), where_(std::move(where)) {}
+const char* name_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::InvalidOption:
+      return "InvalidOption";
+    case ErrorCode::InvalidModel:
+      return "InvalidModel";
+    case ErrorCode::InvalidMesh:
+      return "InvalidMesh";
+    case ErrorCode::FileUnreadable:
+      return "FileUnreadable";
+    case ErrorCode::FileSyntax:
+      return "FileSyntax";
+    case ErrorCode::UnknownFormat:
+      return "UnknownFormat";
+    case ErrorCode::TooManyQuads:
+      return "TooManyQuads";
+    case ErrorCode::CannotWrite:
+      return "CannotWrite";
+    case ErrorCode::Cancelled:
+      return "Cancelled";
+    case ErrorCode::Internal:
+      break;
+  }
+  return "Internal";
+}
+
+Error::Error(ErrorCode code, const std::string& message, Where where)
+    : std::runtime_error(one_line(message, where)), code_(code), where_(std::move(where)) {}
 
 }  // namespace quadline

@@ -32,7 +32,7 @@ inline bool is_control(std::string_view character) {
 }
 
 /// The text with other characters in place of control characters and of bytes that are not UTF-8.
-inline std::string printable(std::string_view text, char for_control, char for_broken) {
+inline std::string printable(std::string_view text, char for_control = '_', char for_broken = '_') {
   std::string out;
   while (!text.empty()) {
     const std::size_t n = utf8_length(text);
@@ -46,6 +46,44 @@ inline std::string printable(std::string_view text, char for_control, char for_b
     text.remove_prefix(std::max<std::size_t>(n, 1));
   }
   return out;
+}
+
+/// The text on one line, for people: control characters and bytes that are not UTF-8 as C writes them, "\\n", "\\x1b".
+inline std::string escaped(std::string_view text) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t n = utf8_length(text), length = std::max<std::size_t>(n, 1);
+    if (n > 0 && !is_control(text.substr(0, n))) {
+      out += text.substr(0, n);
+    } else if (const std::size_t letter = std::string_view("\n\t\r").find(text[0]); letter != std::string_view::npos) {
+      out += std::string("\\") + "ntr"[letter];
+    } else {
+      for (const char c : text.substr(0, length)) {
+        const auto byte = static_cast<unsigned char>(c);
+        out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+      }
+    }
+    text.remove_prefix(length);
+  }
+  return out;
+}
+
+/// Number of characters, code points, of UTF-8.
+inline std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// The text with the middle left out where it has more than `most` characters: "stiffener-of-t…-of-frame-17".
+/// @pre  UTF-8; most > 0.
+inline std::string shortened(const std::string& text, std::size_t most) {
+  if (character_count(text) <= most) return text;
+  const auto is_start = [](char c) { return (c & 0xC0) != 0x80; };
+  const std::size_t n_head = most / 2, n_tail = most - 1 - n_head;
+  std::size_t head = 0, tail = text.size();
+  for (std::size_t n = 0; n <= n_head; ++head) n += is_start(text[head]);
+  for (std::size_t n = 0; n < n_tail;) n += is_start(text[--tail]);
+  return text.substr(0, head - 1) + "\u2026" + text.substr(tail);
 }
 
 }  // namespace quadline

@@ -6,6 +6,7 @@
 namespace quadline {
 
 std::vector<double> edge_sizes(const Mesh& mesh, const Model& model, const Options& options, Context& context) {
+  check(options);
   const Domain domain = arrange(model, options, context);
   return edge_sizes(mesh, make_size_field(domain, options, context));
 }

@@ -111,7 +111,7 @@ class Usage(CommandLine):
                 ("--size", "abc", "a length above 0"), ("--size", "0", "a length above 0"),
                 ("--size", "nan", "a length above 0"), ("--size", "inf", "a length above 0"),
                 ("--size", "1e999", "a length above 0"), ("--size", "1,5", "a length above 0"),
-                ("--growth", "1", "a number above 1"), ("--edges-per-circle", "3", "a number of 4 or more"),
+                ("--growth", "1", "a number above 1 and up to 1e+06"), ("--edges-per-circle", "3", "a number from 4 to 10000"),
                 ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
                 ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay', 'front' or 'both'"),
                 ("--method", "paving", "'qmorph', 'merge' or 'split'")]:

@@ -46,6 +46,9 @@ class SizeField {
 
   std::size_t leaf_count() const { return corners_.size(); }
 
+  /// About how many quads the sizes make of the domain. Known where Options::size_at is given, else 0.
+  double quads_expected() const { return quads_expected_; }
+
  private:
   friend class SizeTree;
   friend SizeField make_size_field(const Domain& domain, const Options& options, Context& context);
@@ -56,16 +59,21 @@ class SizeField {
 
   Point origin_;         ///< lower left corner of the root
   double per_side_ = 0;  ///< 1 / side of the root
+  double quads_expected_ = 0;
   IdVector<CurveId, std::uint32_t> least_edges_;
   std::vector<std::uint32_t> nodes_;            ///< first of four children, or kLeaf | index into `corners_`
   std::vector<std::array<double, 4>> corners_;  ///< sizes at lower left, lower right, upper left, upper right
 };
 
 /// Size field from the sizes of the model, lines, points and regions, from the bends, the gaps and the short curves of
-/// the domain. See docs/sizing.md for what each asks.
+/// the domain, and from Options::size_at. See docs/sizing.md for what each asks.
 ///
 /// @throws Cancelled when `context` asks for it.
-/// Cost O(n log n) for n edges along the curves.
+/// @throws InputError  Options::size_at gives what is no length or less than four tolerances, changes from place to
+/// place
+///                     faster than half a million nodes of the tree can show, or asks for more than Options::max_quads.
+/// Cost O(n log n) for n edges along the curves and nodes of the tree; Options::size_at is called nine times for each
+/// of these, some 50,000 times where it is smooth.
 SizeField make_size_field(const Domain& domain, const Options& options, Context& context);
 
 }  // namespace quadline

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "quadline/errors.hpp"
 
 // A background quadtree with gradient-limited sizes at its corners [Persson2006]. Where we differ: instead of marching
 // edge by edge, which measures diagonals too long, each corner remembers who asked for its size, and the distance to
@@ -18,20 +19,26 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kLeafShare = 0.35;  // side of a leaf over the least size asked in it
 constexpr std::size_t kMaxNodes = std::size_t{1} << 23;
+constexpr int kWishDepth = 6;  // leaves that see the size function at least, 64 along a side
+constexpr double kBend =
+    0.05;  // of the least size in a leaf: how far the size function may be from what its corners tell
+constexpr std::size_t kMaxBent = std::size_t{1} << 17;  // leaves split for the size function alone
 
 }  // namespace
 
-SizeTree::SizeTree(const Box& box, const std::vector<SizeSource>& sources, const std::function<double(Point)>& base_at)
-    : sources_(sources) {
+SizeTree::SizeTree(const Box& box, const std::vector<SizeSource>& sources, const std::function<double(Point)>& base_at,
+                   const std::function<double(Point)>& asked_at)
+    : sources_(sources), box_(box) {
   const double width = box.hi.x - box.lo.x, height = box.hi.y - box.lo.y;
   side_ = std::max(width, height);
   origin_ = {box.lo.x - 0.5 * (side_ - width), box.lo.y - 0.5 * (side_ - height)};
-  refine();
+  refine(asked_at);
   balance();
   for (std::uint32_t i = 0; i < nodes_.size(); ++i)
     if (!nodes_[i].below) leaves_.push_back(i);
   number_corners();
   fill_base(base_at);
+  if (asked_at) take_asked(asked_at);
 }
 
 Box SizeTree::box_of(const Node& node) const {
@@ -67,7 +74,8 @@ void SizeTree::split(std::uint32_t id) {
 }
 
 /// Level by level, so that a tree that reaches the limit of nodes is too coarse evenly.
-void SizeTree::refine() {
+void SizeTree::refine(const std::function<double(Point)>& asked_at) {
+  std::size_t n_bent = 0;
   struct Pending {
     std::uint32_t node, first, last;  ///< range of the sources that touch it
   };
@@ -87,7 +95,16 @@ void SizeTree::refine() {
         node.is_border |= sources_[pool[i]].is_border;
       }
       const double side = std::ldexp(side_, -node.depth);
-      if (side <= kLeafShare * asked || node.depth == SizeField::kMaxDepth || nodes_.size() >= kMaxNodes) {
+      const bool can_split = node.depth < SizeField::kMaxDepth && nodes_.size() < kMaxNodes;
+      const bool is_bent_only = can_split && side <= kLeafShare * asked && asked_at && is_bent(node, asked_at);
+      if (is_bent_only && ++n_bent > kMaxBent) {
+        const Box box = box_of(node);
+        throw InputError(
+            ErrorCode::InvalidOption,
+            "Options::size_at jumps from place to place: expected lengths that change little over one of them",
+            Where{{}, {}, inside_box(midpoint(box.lo, box.hi))});
+      }
+      if (!can_split || (side <= kLeafShare * asked && !is_bent_only)) {
         node.first = static_cast<std::uint32_t>(touching_.size());
         touching_.insert(touching_.end(), pool.begin() + p.first, pool.begin() + p.last);
         node.last = static_cast<std::uint32_t>(touching_.size());
@@ -103,6 +120,47 @@ void SizeTree::refine() {
       }
     }
   }
+}
+
+Point SizeTree::inside_box(Point p) const {
+  return {std::clamp(p.x, box_.lo.x, box_.hi.x), std::clamp(p.y, box_.lo.y, box_.hi.y)};
+}
+
+/// The size function at middles of sides and centre is not what the corners tell of it; or the leaf is so large that
+/// these few places tell nothing. Never where the leaf is smaller than the sizes in it.
+bool SizeTree::is_bent(const Node& node, const std::function<double(Point)>& asked_at) const {
+  const Box box = box_of(node);
+  const double half = 0.5 * (box.hi.x - box.lo.x);
+  std::array<double, 9> h;
+  for (int k = 0; k < 9; ++k) h[k] = asked_at(inside_box({box.lo.x + (k % 3) * half, box.lo.y + (k / 3) * half}));
+  const double least = *std::min_element(h.begin(), h.end());
+  if (2 * half <= kLeafShare * least) return false;
+  if (node.depth < kWishDepth) return true;
+  const double off = std::max({std::abs(h[1] - 0.5 * (h[0] + h[2])), std::abs(h[3] - 0.5 * (h[0] + h[6])),
+                               std::abs(h[5] - 0.5 * (h[2] + h[8])), std::abs(h[7] - 0.5 * (h[6] + h[8])),
+                               std::abs(h[4] - 0.25 * ((h[0] + h[8]) + (h[2] + h[6])))});
+  return off > kBend * least;
+}
+
+void SizeTree::take_asked(const std::function<double(Point)>& asked_at) {
+  for (std::uint32_t c = 0; c < corner_key_.size(); ++c) {
+    corner_asked_.push_back(asked_at(inside_box(place(c))));
+    corner_base_[c] = std::min(corner_base_[c], corner_asked_[c]);
+  }
+}
+
+double SizeTree::quads(const std::vector<double>& sizes, const std::function<bool(Point)>& is_inside) const {
+  double sum = 0;
+  for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
+    const Box box = box_of(nodes_[leaves_[i]]);
+    const Point lo = inside_box(box.lo), hi = inside_box(box.hi);
+    const double area = (hi.x - lo.x) * (hi.y - lo.y);
+    if (!(area > 0) || !is_inside(midpoint(lo, hi))) continue;
+    double h = 0;
+    for (std::uint32_t k = 0; k < 4; ++k) h += 0.25 * sizes[leaf_corners_[4 * i + k]];
+    sum += area / (h * h);
+  }
+  return sum;
 }
 
 std::uint32_t SizeTree::leaf_at(std::uint32_t x, std::uint32_t y) const {

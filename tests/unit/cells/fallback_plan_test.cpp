@@ -8,7 +8,7 @@
 
 #include "cells/attempt.hpp"
 #include "domain/arrange/arrange.hpp"
-#include "io/read_model.hpp"
+#include "quadline/io/read_model.hpp"
 #include "tests/unit/cells/two_cells.hpp"
 
 namespace quadline {

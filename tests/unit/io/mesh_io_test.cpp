@@ -1,4 +1,4 @@
-#include "io/mesh_io.hpp"
+#include "quadline/io/mesh_io.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/read_model.hpp"
+#include "quadline/io/read_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -186,7 +186,7 @@ TEST(ReadModelPoly, ErrorsAreUtf8WhateverTheFileHolds) {
     read_model_poly("4 2\n\xE9\x1B[m\xC3\xA9 0 0\n", "m.poly");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "m.poly: line 2: expected the number of a vertex, found '? [m\xC3\xA9'");
+    EXPECT_STREQ(error.what(), "m.poly: line 2: expected the number of a vertex, found '\\xe9\\x1b[m\xC3\xA9'");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "quality/mesh_faults.hpp"
+#include "quadline/faults.hpp"
 
 #include <gtest/gtest.h>
 
