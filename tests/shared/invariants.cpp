@@ -1,11 +1,13 @@
 #include "invariants.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "pieces.hpp"
 #include "quadline/point.hpp"
 
 namespace quadline {
@@ -15,6 +17,7 @@ namespace {
 using Edge = std::pair<NodeIndex, NodeIndex>;
 
 constexpr double kRounding = 1e-9;  // of the model's extent, which is near 10
+constexpr double kOnLine = 1e-7;
 
 Edge ordered(NodeIndex a, NodeIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -69,23 +72,31 @@ class Audit {
     if (found != n(model_.outer.size()) - n(model_.holes.size())) note("Euler's formula does not hold", {});
   }
 
-  void check_lines(bool stay_inside) {
+  // Every edge of a line runs along one of its pieces; and what of a piece no edge covers is not in the domain.
+  void check_lines() {
+    const Ground ground(model_);
     for (const Line& line : model_.lines) {
-      if (line.path.circle || std::ranges::any_of(line.path.items, [](const PathItem& i) { return i.via.has_value(); }))
-        continue;
-      const Point a = line.path.items.front().to, b = line.path.items.back().to;
-      double covered = 0;
-      for (const EdgeSet& curve : mesh_.curves) {
-        if (curve.name != line.name) continue;
-        for (const auto& [tail, head] : curve.edges) {
-          covered += distance(at(tail), at(head));
-          for (const Point p : {at(tail), at(head)})
-            if (std::fabs(cross(b - a, p - a)) > 10 * kRounding * distance(a, b)) note("a node is off its line", p);
+      std::vector<std::array<NodeIndex, 2>> edges;
+      for (const EdgeSet& curve : mesh_.curves)
+        if (curve.name == line.name) edges.insert(edges.end(), curve.edges.begin(), curve.edges.end());
+      std::vector<bool> is_on_line(edges.size());
+      for (const Piece& piece : pieces_of(line.path, false)) {
+        std::vector<std::pair<double, double>> covered;
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+          const Point a = at(edges[i][0]), b = at(edges[i][1]);
+          if (std::max(piece.distance_to(a), piece.distance_to(b)) > kOnLine) continue;
+          is_on_line[i] = true;
+          auto [low, high] = std::minmax({piece.along(a), piece.along(b)});
+          if (piece.is_circle() && high - low > piece.length() / 2) {  // across the start
+            covered.emplace_back(0, low);
+            low = std::exchange(high, piece.length());
+          }
+          covered.emplace_back(low, high);
         }
+        check_cover(line.name, piece, covered, ground);
       }
-      const double length = distance(a, b);
-      if (covered > length + 10 * kRounding || (stay_inside && covered < length - 10 * kRounding))
-        note("'" + line.name + "' is not covered", a);
+      for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!is_on_line[i]) note("an edge of '" + line.name + "' is off its line", at(edges[i][0]));
     }
   }
 
@@ -100,6 +111,25 @@ class Audit {
   std::vector<std::string> notes;
 
  private:
+  void check_cover(const std::string& name, const Piece& piece, std::vector<std::pair<double, double>> covered,
+                   const Ground& ground) {
+    constexpr int kSamples = 7;
+    covered.emplace_back(piece.length(), piece.length());
+    std::ranges::sort(covered);
+    double end = 0;  // of what is covered so far
+    for (const auto& [low, high] : covered) {
+      if (low < end - kOnLine) note("two edges of '" + name + "' lie on each other", piece.at(low));
+      for (int i = 1; low > end + kOnLine && i < kSamples; ++i) {
+        const Point p = piece.at(end + (low - end) * i / kSamples);
+        if (ground.is_well_inside(p)) {
+          note("'" + name + "' is not covered", p);
+          break;
+        }
+      }
+      end = std::max(end, high);
+    }
+  }
+
   Point at(NodeIndex v) const { return mesh_.points[v]; }
   void note(const std::string& what, Point p) {
     notes.push_back(what + " at (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")");
@@ -112,14 +142,22 @@ class Audit {
 
 }  // namespace
 
-std::vector<std::string> broken(const Model& model, const Mesh& mesh, bool lines_stay_inside) {
+std::vector<std::string> broken(const Model& model, const Mesh& mesh) {
   Audit audit(model, mesh);
   audit.check_shapes();
   audit.check_edges();
   audit.check_loops();
   audit.check_euler();
-  audit.check_lines(lines_stay_inside);
+  audit.check_lines();
   audit.check_points();
+  return audit.notes;
+}
+
+std::vector<std::string> broken(const Mesh& mesh) {
+  const Model none;
+  Audit audit(none, mesh);
+  audit.check_shapes();
+  audit.check_edges();
   return audit.notes;
 }
 

@@ -154,11 +154,16 @@ Model fan(Dice& dice) {  // lines that leave a point at small angles
 }  // namespace
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> all = {{"line_soup", line_soup},       {"stiffened", stiffened},
-                                          {"holes", holes, false},        {"integer_grid", integer_grid},
-                                          {"star_polygon", star_polygon}, {"sizes", sizes},
-                                          {"islands", islands},           {"near_misses", near_misses, true, true},
-                                          {"arcs", arcs, false},          {"fan", fan}};
+  static const std::vector<Family> all = {{"line_soup", line_soup},
+                                          {"stiffened", stiffened},
+                                          {"holes", holes},
+                                          {"integer_grid", integer_grid},
+                                          {"star_polygon", star_polygon},
+                                          {"sizes", sizes},
+                                          {"islands", islands},
+                                          {"near_misses", near_misses, true},
+                                          {"arcs", arcs, false, 0.01},
+                                          {"fan", fan}};
   return all;
 }
 

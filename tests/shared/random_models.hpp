@@ -23,8 +23,8 @@ class Dice {
 struct Family {
   std::string name;
   Model (*make)(Dice& dice);
-  bool lines_stay_inside = true;  ///< no line leaves the domain
-  bool is_hard = false;           ///< one mesh in ten may be refused
+  bool is_hard = false;     ///< one in ten may be left without a mesh
+  double most_refused = 0;  ///< the share of its models that may be no valid input
 };
 
 const std::vector<Family>& families();

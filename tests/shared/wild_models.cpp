@@ -183,9 +183,9 @@ const std::vector<Family>& wild_families() {
                            {"near_parallel", near_parallel},
                            {"comb", comb},
                            {"polygon_with_holes", polygon_with_holes},
-                           {"tangents", tangents, false},
+                           {"tangents", tangents},
                            {"t_junctions", t_junctions},
-                           {"degenerate_grid", degenerate_grid, false},
+                           {"degenerate_grid", degenerate_grid},
                            {"tiny_gaps", tiny_gaps},
                            {"mixed_sizes", mixed_sizes}};
     std::copy(std::begin(wild), std::end(wild), std::back_inserter(list));

@@ -1,4 +1,5 @@
 """The stress at a round hole in a strip that is pulled, against Howland's solution in Heywood's form."""
+import math
 import unittest
 
 from calculix import ExampleTest
@@ -32,18 +33,19 @@ class PlateWithHole(ExampleTest):
         self.assertAlmostEqual(sum(found) / 2 / theory, 1.0, delta=0.03)
 
     def test_the_other_sides_of_the_hole_are_pressed(self):
-        # In a wide strip the stress along the edge of the hole is -1 times the mean where the pull meets it, in this one
-        # a little more; the mesh is coarse there.
+        # In a wide strip the stress along the edge of the hole is -1 times the mean where the pull meets it; in this one
+        # it is a little more: -1.084 and -1.077 were found.
         mean = self.printed("total force", "end-2")[0] / 100.0
         stress_at = self.nodal_stresses()
-        at = min(stress_at, key=lambda p: (p[0] - 10.0)**2 + p[1]**2)
-        self.assertAlmostEqual(stress_at[at][1] / mean, -1.0, delta=0.3)
+        for x in (10.0, -10.0):
+            at = min(stress_at, key=lambda p: (p[0] - x)**2 + p[1]**2)
+            self.assertLess(abs(math.hypot(*at) - 10.0), 1e-3)  # the node of the hole that is nearest
+            self.assertAlmostEqual(stress_at[at][1] / mean, -1.08, delta=0.05)
 
     def test_force_of_the_whole_strip(self):
-        # Pulled by 0.15 mm over 300 mm: 10 500 N without the hole; the hole costs some per cent.
+        # Pulled by 0.15 mm over 300 mm: 10 500 N without the hole, which costs some per cent: 3.2 were found.
         force = self.printed("total force", "end-2")[0]
-        self.assertGreater(force, 0.93 * 10500)
-        self.assertLess(force, 10500)
+        self.assertAlmostEqual(force / 10500, 0.968, delta=0.005)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ class StiffenedPlate(ExampleTest):
         found = self.printed("displacements", "middle")[3]
         print("\nstiffened plate: deflection %.4f mm, theory %.4f mm: %+.2f %%"
               % (found, theory, 100 * (found / theory - 1)))
-        self.assertAlmostEqual(found / theory, 1.0, delta=0.03)
+        self.assertAlmostEqual(found / theory, 1.0, delta=0.005)
 
 
 if __name__ == "__main__":
