@@ -143,6 +143,16 @@ TEST_F(Verify, MissingQuad) {
   EXPECT_EQ(reason(), "an edge inside the domain has only one quad");
 }
 
+TEST_F(Verify, MissingQuadBesideALine) {
+  const Mesh whole = mesh_;
+  for (const int row : {1, 2}) {  // on its right, on its left
+    mesh_ = whole;
+    mesh_.quads.erase(mesh_.quads.begin() + 6 * row + 2);
+    mesh_.quad_region.pop_back();
+    EXPECT_EQ(reason(), "an edge of 'line-1' does not have its quads") << row;
+  }
+}
+
 TEST_F(Verify, QuadTwice) {
   mesh_.quads.push_back(mesh_.quads[19]);
   mesh_.quad_region.push_back(0);
