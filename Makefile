@@ -3,7 +3,7 @@ QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
 SOURCES = $(shell find include src io cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help setup build demo test paper hard compare bench soak fuzz coverage format tidy clean
+.PHONY: help setup build demo test paper hard compare bench soak fuzz coverage mutants format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
@@ -15,6 +15,7 @@ help:
 	@echo "make soak    mesh random models until one fails (SOAK='--keep-going --seconds 600')"
 	@echo "make fuzz    run each fuzz target for a minute (FUZZ_SECONDS=60)"
 	@echo "make coverage  the share of the lines that the tests reach"
+	@echo "make mutants break a line at a time and see whether the tests notice (MUTANTS='--only *gap*'); hours"
 	@echo "make format  format the sources"
 	@echo "make tidy    lint them"
 	@echo "make clean   remove build/ and out/"
@@ -77,6 +78,9 @@ coverage: setup
 	@find build/coverage -name '*.gcda' -delete
 	@ctest --preset coverage -j2
 	@$(PYTHON) scripts/coverage.py
+
+mutants: setup
+	@$(PYTHON) scripts/mutants.py $(MUTANTS)
 
 format:
 	@clang-format-19 -i $(SOURCES)

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/read_model.hpp"
 #include "quadline/generate.hpp"
+#include "quadline/io/read_model.hpp"
 #include "shapes.hpp"
 
 namespace quadline {

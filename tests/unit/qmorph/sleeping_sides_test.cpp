@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "io/read_model.hpp"
 #include "quadline/generate.hpp"
+#include "quadline/io/read_model.hpp"
 #include "shapes.hpp"
 
 namespace quadline {

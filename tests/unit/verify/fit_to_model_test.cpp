@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "domain/arrange/arrange.hpp"
 #include "stages/verify/verify.hpp"
 
@@ -59,7 +62,55 @@ TEST(FitToModel, LeavesOutWhatTheMeshDoesNotHave) {
   EXPECT_TRUE(fitted.curves[1].edges.empty());
   EXPECT_TRUE(fitted.node_sets.empty());
   Context context;
-  EXPECT_TRUE(verify(fitted, domain, context).has_value());
+  const std::optional<Failure> failure = verify(fitted, domain, context);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->reason, "a vertex of the domain is no node");
+}
+
+TEST(FitToModel, LeavesOutEdgesThatTheMeshDoesNotHave) {
+  Mesh mesh = four_quads();
+  mesh.quads = {mesh.quads[1], mesh.quads[3]};  // nodes 3 and 4 lie on the line, but nothing joins them
+  using Edges = std::vector<std::array<NodeIndex, 2>>;
+  EXPECT_EQ(fit_to_model(mesh, square_with_line()).curves[1].edges, (Edges{{5, 4}}));
+}
+
+// The half disc above a diameter, in two quads: half of its curve runs backwards in the mesh's order of nodes.
+TEST(FitToModel, FollowsArcsAndDrawsNothingNearby) {
+  Model model;
+  model.size = 1;
+  model.outer = {{.items = {{{1, 0}, {}}, {{-1, 0}, Point{0, 1}}}, .circle = {}, .where = "/outer"}};
+  Context context;
+  const Domain domain = arrange(model, {}, context);
+  const double h = std::sqrt(0.5);
+  Mesh mesh;
+  mesh.points = {{-1, 0}, {0, 0}, {1, 0}, {-h, h}, {0, 1}, {h, h}, {0, 1 - 1e-3}};
+  mesh.quads = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  mesh.quad_region = {0, 0};
+  mesh.regions = {"domain"};
+  const Mesh fitted = fit_to_model(mesh, domain);
+  ASSERT_EQ(fitted.curves.size(), 1u);
+  using Edges = std::vector<std::array<NodeIndex, 2>>;
+  Edges edges = fitted.curves[0].edges;
+  std::sort(edges.begin(), edges.end());
+  EXPECT_EQ(edges, (Edges{{0, 1}, {1, 2}, {2, 5}, {3, 0}, {4, 3}, {5, 4}}));
+}
+
+// A line from side to side parts the square into two cells, here of two regions.
+TEST(FitToModel, LetsRegionsOnBothSidesOfALineBeCompared) {
+  Domain domain = square_with_line();
+  ASSERT_EQ(domain.cells.count(), 2u);
+  domain.regions = {"lower", "upper"};
+  const CellId above = domain.curves[domain.paths[1].curves[0].curve].right;  // it runs from right to left
+  domain.cells[above].region = 1;
+  Mesh mesh = four_quads();
+  mesh.regions = domain.regions;
+  mesh.quad_region = {0, 0, 1, 1};
+  Context context;
+  EXPECT_FALSE(verify(fit_to_model(mesh, domain), domain, context).has_value());
+  mesh.quad_region = {0, 1, 1, 1};
+  const std::optional<Failure> failure = verify(fit_to_model(mesh, domain), domain, context);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->reason, "the quads of region 'lower' do not add up to its area");
 }
 
 }  // namespace

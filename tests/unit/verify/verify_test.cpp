@@ -66,18 +66,40 @@ TEST_F(Verify, ClockwiseQuad) {
   EXPECT_EQ(reason(), "a quad is not convex");
 }
 
+TEST_F(Verify, QuadWithAStraightCorner) {
+  mesh_.points[at(1, 1)] = {0.5, 0.5};
+  EXPECT_EQ(reason(), "a quad is not convex");
+}
+
+// Each corner of a quad in the middle, drawn over the opposite one.
+TEST_F(Verify, QuadWithAnyCornerReflex) {
+  const auto quad = mesh_.quads[1];
+  const Mesh whole = mesh_;
+  for (std::size_t i = 0; i < 4; ++i) {
+    mesh_.points.push_back(whole.points[quad[(i + 2) % 4]]);
+    mesh_.points.back() += 0.3 * (whole.points[quad[(i + 2) % 4]] - whole.points[quad[i]]);
+    mesh_.quads[1][i] = static_cast<NodeIndex>(whole.points.size());
+    EXPECT_EQ(reason(), "a quad is not convex") << i;
+    mesh_ = whole;
+  }
+}
+
 TEST_F(Verify, QuadThatIsAlmostFlat) {
   mesh_.points[at(1, 1)] = {0.5, 0.5 + 1e-8};
   EXPECT_EQ(reason(), "a quad is flat");
 }
 
 TEST_F(Verify, NodeThatDoesNotExist) {
-  mesh_.quads[0][0] = 1000;
-  EXPECT_EQ(reason(), "a quad names a node that is not there");
+  for (const std::size_t v : {mesh_.points.size(), std::size_t{1000}}) {
+    mesh_.quads[0][0] = static_cast<NodeIndex>(v);
+    EXPECT_EQ(reason(), "a quad names a node that is not there") << v;
+  }
 }
 
 TEST_F(Verify, NodeThatIsNotFinite) {
   mesh_.points[7].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(reason(), "a node has no finite coordinates");
+  mesh_.points[7] = {1, std::numeric_limits<double>::infinity()};
   EXPECT_EQ(reason(), "a node has no finite coordinates");
 }
 
@@ -86,19 +108,25 @@ TEST_F(Verify, NodeWithoutQuads) {
   EXPECT_EQ(reason(), "a node belongs to no quad");
 }
 
+// A crack: the quad to the right of a node gets a node of its own, in all directions and in all parts of the squares
+// by which near ones are sought.
 TEST_F(Verify, TwoNodesInOnePlace) {
-  // A crack: the quad to the right of node (3, 1) gets a node of its own.
   const NodeIndex old = at(3, 1);
-  for (const double offset : {0.0, 1e-10, -1e-10}) {
-    Mesh cracked = mesh_;
-    cracked.points.push_back({3 + offset, 1});
-    for (auto& q : cracked.quads)
-      if (q[0] == old) q[0] = static_cast<NodeIndex>(cracked.points.size() - 1);
-    Context context;
-    const std::optional<Failure> failure = verify(cracked, patch_.domain, context);
-    ASSERT_TRUE(failure);
-    EXPECT_EQ(failure->reason, "two nodes stand in one place");
-  }
+  const double near = 0.01 * patch_.domain.tolerance;
+  mesh_.points.push_back({});
+  for (auto& q : mesh_.quads)
+    if (q[0] == old) q[0] = static_cast<NodeIndex>(mesh_.points.size() - 1);
+  mesh_.points.back() = {3, 1};
+  EXPECT_EQ(reason(), "two nodes stand in one place");
+  for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 24; ++k) {
+      const double angle = 0.2618 * k;
+      mesh_.points[old] = {3 + 0.51 * near * (i % 8), 1 + 0.53 * near * (i / 2)};
+      mesh_.points.back() = mesh_.points[old] + 0.99 * near * Point{std::cos(angle), std::sin(angle)};
+      ASSERT_EQ(reason(), "two nodes stand in one place") << i << " " << k;
+      mesh_.points.back() = mesh_.points[old] + 1.01 * near * Point{std::cos(angle), std::sin(angle)};
+      ASSERT_NE(reason(), "two nodes stand in one place") << i << " " << k;
+    }
 }
 
 TEST_F(Verify, Crack) {
@@ -113,6 +141,16 @@ TEST_F(Verify, MissingQuad) {
   mesh_.quads.erase(mesh_.quads.begin() + 19);
   mesh_.quad_region.pop_back();
   EXPECT_EQ(reason(), "an edge inside the domain has only one quad");
+}
+
+TEST_F(Verify, MissingQuadBesideALine) {
+  const Mesh whole = mesh_;
+  for (const int row : {1, 2}) {  // on its right, on its left
+    mesh_ = whole;
+    mesh_.quads.erase(mesh_.quads.begin() + 6 * row + 2);
+    mesh_.quad_region.pop_back();
+    EXPECT_EQ(reason(), "an edge of 'line-1' does not have its quads") << row;
+  }
 }
 
 TEST_F(Verify, QuadTwice) {
@@ -139,6 +177,23 @@ TEST_F(Verify, NodeOffItsCurve) {
 
 TEST_F(Verify, NodeOnItsCurveWithinTheTolerance) {
   mesh_.points[at(3, 2)] = {3.2, 2 + 1e-9};
+  EXPECT_EQ(reason(), "");
+}
+
+TEST_F(Verify, CurveOfAnotherNameOrKind) {
+  line().name = "line-2";
+  EXPECT_EQ(reason(), "'line-1' is missing");
+  line().name = "line-1";
+  line().kind = CurveKind::Hole;
+  EXPECT_EQ(reason(), "'line-1' is missing");
+}
+
+// The same curve twice, under two names: its part of the area counts once.
+TEST_F(Verify, CurveThatTwoPathsWalk) {
+  patch_.domain.paths.push_back(patch_.domain.paths[0]);
+  patch_.domain.paths.back().name = "ring";
+  mesh_.curves.push_back(mesh_.curves[0]);
+  mesh_.curves.back().name = "ring";
   EXPECT_EQ(reason(), "");
 }
 
@@ -183,6 +238,16 @@ TEST_F(Verify, CurveThatNoPathWalks) {
 TEST_F(Verify, PointWithoutItsNode) {
   mesh_.node_sets[0].nodes[0] += 1;
   EXPECT_EQ(reason(), "point 'point-1' is no node");
+}
+
+TEST_F(Verify, PointOfAnotherName) {
+  mesh_.node_sets[0].name = "point-2";
+  EXPECT_EQ(reason(), "point 'point-1' is no node");
+}
+
+TEST_F(Verify, MissingPoint) {
+  mesh_.node_sets.clear();
+  EXPECT_EQ(reason(), "a named point is missing");
 }
 
 TEST_F(Verify, RegionsMustHaveTheirArea) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "domain/size/size_sources.hpp"
 #include "tests/unit/domain/size/size_shapes.hpp"
@@ -128,8 +129,9 @@ TEST(SizeField, GapBetweenLinesDrawsTheSizeDownToALimit) {
         .build();
   };
   EXPECT_EQ(field_of(lines_apart(0.5)).leaf_count(), 1u);
-  EXPECT_NEAR(field_of(lines_apart(0.3)).at({15, 10}), 0.6, 0.03);
-  EXPECT_NEAR(field_of(lines_apart(0.05)).at({15, 10}), 0.4, 0.01);
+  EXPECT_NEAR(field_of(lines_apart(0.47)).at({15, 10}), 0.94, 0.03);
+  for (const double y : {10.0, 10.3}) EXPECT_NEAR(field_of(lines_apart(0.3)).at({15, y}), 0.6, 0.03) << y;
+  for (const double y : {10.0, 10.05}) EXPECT_NEAR(field_of(lines_apart(0.05)).at({15, y}), 0.4, 0.01) << y;
   EXPECT_EQ(field_of(lines_apart(0.05)).at({15, 19}), 1);
 }
 
@@ -140,6 +142,42 @@ TEST(SizeField, GapOutsideTheDomainAndSharpCornersAreNoGaps) {
                            .build();
   EXPECT_EQ(field_of(teeth).at({4.85, 7}), 1);
   const Domain wedge = shapes::Builder({{0, 0}, {20, 0}, {20, 2}}, {{0, 1}, {1, 2}, {2, 0}}, 1).build();
+  EXPECT_EQ(field_of(wedge).leaf_count(), 1u);
+}
+
+// Of two lines that run side by side only one looks as far as the other: a finer one needs not to. From either side.
+TEST(Gaps, BothSidesAskForTheirSize) {
+  const Domain domain = shapes::Builder({{0, 0}, {30, 0}, {30, 20}, {0, 20}, {8, 10}, {22, 10}, {8, 10.3}, {22, 10.3}},
+                                        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {6, 7}}, 1)
+                            .build();
+  for (const std::size_t blind : {4u, 5u}) {
+    IdVector<CurveId, double> sizes(domain.curves.count(), 1);
+    sizes[CurveId(blind)] = 0.1;
+    std::vector<SizeSource> sources;
+    append_gaps(domain, sizes, sources);
+    for (const double y : {10.0, 10.3}) {
+      double covered = 0;  // by segments of the side that looks
+      int n_points = 0;    // on the other, without the ends of the lines, which look for themselves
+      for (const SizeSource& s : sources) {
+        EXPECT_NEAR(s.size, 0.6, 1e-9);
+        if (s.a.y != y) continue;
+        covered += s.b.x - s.a.x;
+        n_points += s.a == s.b && s.a.x > 8 && s.a.x < 22;
+      }
+      const bool looks = (y == 10) != (blind == 4);
+      EXPECT_NEAR(covered, looks ? 14 : 0, 1e-9) << y;
+      EXPECT_EQ(n_points, looks ? 0 : 28) << y;
+    }
+  }
+}
+
+// Both sides of a sharp corner in three pieces: the second and the third share no vertex with those across.
+TEST(Gaps, AWedgeOfManyPiecesIsNone) {
+  const double t = 0.26;
+  const Domain wedge =
+      shapes::Builder({{0, 0}, {0.9, 0}, {1.6, 0}, {20, 0}, {20, 20 * t}, {1.6, 1.6 * t}, {0.9, 0.9 * t}},
+                      {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 0}}, 1)
+          .build();
   EXPECT_EQ(field_of(wedge).leaf_count(), 1u);
 }
 
