@@ -3,10 +3,11 @@ QUADLINE := build/release/quadline
 PYTHON := /usr/bin/python3
 SOURCES = $(shell find include src io cli tests benchmarks examples -name '*.cpp' -o -name '*.hpp')
 
-.PHONY: help setup build demo test paper hard compare bench soak fuzz coverage mutants format tidy clean
+.PHONY: help setup build demo test floor paper hard compare bench soak fuzz coverage mutants format tidy clean
 help:
 	@echo "make demo    set up, build, and mesh the ship's bulkhead into out/"
 	@echo "make test    set up, build, and run every test"
+	@echo "make floor   build with the oldest compilers that shall do, and compare the meshes"
 	@echo "make build   build the release binary, $(QUADLINE)"
 	@echo "make paper   mesh the paper's models and compare with its Table 3"
 	@echo "make hard    mesh the hard models, for the table in docs/robustness.md"
@@ -43,6 +44,9 @@ test: setup
 	@cmake --build --preset tsan
 	@ctest --preset tsan
 	@ctest --preset asan -j2
+
+floor: setup
+	@scripts/check-floor
 
 paper: setup
 	@$(MAKE) --no-print-directory build

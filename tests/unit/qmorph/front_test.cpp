@@ -38,7 +38,7 @@ TEST(Front, CornerOfARectangleIsClosed) {
   const Corner c = corner_before(mesh, mesh.topo().find(NodeId(0), NodeId(1)));
   EXPECT_EQ(c.state, State::Closed);
   EXPECT_EQ(c.quads, 1);
-  EXPECT_NEAR(c.angle, kPi / 2, 1e-12);
+  EXPECT_NEAR(radians(c.angle), kPi / 2, 1e-12);
 }
 
 TEST(Front, StraightBoundaryIsOpenForTwoQuads) {
@@ -53,7 +53,7 @@ TEST(Front, EndOfAnOpenLineIsStateTwoForFourQuads) {
   const Corner c = corner_after(mesh, mesh.topo().find(NodeId(12), NodeId(13)));
   EXPECT_EQ(c.state, State::LineEnd);
   EXPECT_EQ(c.quads, 4);
-  EXPECT_DOUBLE_EQ(c.angle, 2 * kPi);
+  EXPECT_EQ(radians(c.angle), 2 * kPi);
 }
 
 TEST(Front, ReentrantCornerGetsThreeQuads) {
@@ -63,7 +63,7 @@ TEST(Front, ReentrantCornerGetsThreeQuads) {
                                         {{0, 1}, {1, 2}, {2, 4}, {4, 3}, {3, 7}, {7, 6}, {6, 5}, {5, 0}});
   const Corner c = corner_after(mesh, mesh.topo().find(NodeId(4), NodeId(3)));
   EXPECT_EQ(c.quads, 3);
-  EXPECT_NEAR(c.angle, 1.5 * kPi, 1e-12);
+  EXPECT_NEAR(radians(c.angle), 1.5 * kPi, 1e-12);
 }
 
 Corner corner_of_gap(double angle_deg, int n_quads) {
