@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "cells/attempt.hpp"
+#include "cells/cell_meshes.hpp"
 #include "domain/arrange/arrange.hpp"
 #include "io/read_model.hpp"
 #include "tests/unit/cells/two_cells.hpp"
@@ -50,9 +55,9 @@ TEST_F(Fallback, EveryRungGivesAValidMeshAndNamesTheCell) {
     ASSERT_FALSE(got.result.failure) << kRungs[rung].what << ": " << got.result.failure->reason;
     const std::vector<Finding>& findings = got.result.report.findings;
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_NE(findings[0].text.find(kRungs[rung].what), std::string::npos);
-    EXPECT_NE(findings[0].text.find("it looks bad"), std::string::npos);
-    EXPECT_LT(findings[0].at.x, 4);
+    EXPECT_EQ(findings[0].text, "a cell of region 'domain' is meshed " + std::string(kRungs[rung].what) +
+                                    ", because as asked it looks bad");
+    EXPECT_EQ(troubles_at(domain_, findings[0].at, "")[0].cell, left());
   }
   EXPECT_FALSE(plan_.advance({{left(), "it looks bad", {2, 3}}}));
 }
@@ -114,6 +119,144 @@ TEST_F(Fallback, CellsFromTheCacheAreThoseThatWouldBeMade) {
   }
 }
 
+// What is cleaned up in the second attempt with the same plan is taken from the first.
+TEST_F(Fallback, TheCacheSavesCleanUp) {
+  const auto cleans_up = [&] {
+    clock_ = {};
+    attempt();
+    return std::any_of(clock_.times().begin(), clock_.times().end(),
+                       [](const StageTime& time) { return time.stage == "clean-up"; });
+  };
+  take_left_to(1);
+  EXPECT_TRUE(cleans_up());
+  EXPECT_FALSE(cleans_up());
+  cache_ = CellCache(domain_.cells.count());
+  EXPECT_TRUE(cleans_up());
+}
+
+// Corners of the quads in the left cell.
+std::set<std::vector<std::pair<double, double>>> quads_of(const WorkMesh& mesh, CellId c) {
+  std::set<std::vector<std::pair<double, double>>> quads;
+  for (std::size_t i = 0; i < mesh.topo().face_capacity(); ++i) {
+    if (!mesh.topo().is_live(FaceId(i)) || mesh.cell(FaceId(i)) != c) continue;
+    std::vector<std::pair<double, double>> corners;
+    for (const Point p : mesh.quad_points(FaceId(i))) corners.push_back({p.x, p.y});
+    std::sort(corners.begin(), corners.end());
+    quads.insert(corners);
+  }
+  return quads;
+}
+
+// A smoothed mesh that is made to look spoiled at one place: what is round it is kept, the third time all.
+TEST_F(Fallback, WhatIsRoundASpoiledPlaceIsKept) {
+  take_left_to(kFirstHalving);
+  const Domain& domain = plan_.domain();
+  const SizeField size = make_size_field(domain, options_, context_);
+  const CurveNodes nodes(domain, size, plan_.halved_cells(), context_);
+  CellMeshes cells(plan_, nodes, size, cache_, clock_, context_);
+  const auto raw = quads_of(cells.take_raw(), left());
+  std::vector<std::size_t> n_kept;
+  for (int round = 0; round < 4; ++round) {
+    WorkMesh mesh = cells.take_joined();
+    mesh.thaw();
+    const auto quads = quads_of(mesh, left());
+    n_kept.push_back(static_cast<std::size_t>(
+        std::count_if(raw.begin(), raw.end(), [&](const auto& quad) { return quads.contains(quad); })));
+    EXPECT_FALSE(cells.mesh_spoiled_again(mesh));  // nothing is
+    NodeId nearest;
+    for (std::size_t i = 0; i < mesh.topo().node_capacity(); ++i) {
+      const auto away = [&](NodeId v) { return distance(mesh.point(v), {0.6, 0.6}); };
+      if (const NodeId v(i); mesh.tag(v).kind == NodeKind::Free && (!nearest.valid() || away(v) < away(nearest)))
+        nearest = v;
+    }
+    mesh.move(nearest, {3, 3});
+    EXPECT_EQ(cells.mesh_spoiled_again(mesh), round < 3) << round;
+  }
+  EXPECT_LT(n_kept[0], n_kept[1]);  // clean-up changes most of the cell
+  EXPECT_EQ(n_kept[3], raw.size());
+}
+
+TEST(FallbackPlan, RecipesFollowTheOptionsAndTheRung) {
+  Context context;
+  const Domain domain = arrange(shapes::two_cells(), {}, context);
+  const CellId first(std::size_t{0});
+  const auto climb = [&](FallbackPlan& plan) { return plan.advance({{first, "it looks bad", {}}}); };
+  for (const Triangles triangles : {Triangles::Delaunay, Triangles::Front, Triangles::Both}) {
+    const Options options{.lines = LineFronts::OneSided, .triangles = triangles};
+    FallbackPlan plan(domain, options);
+    const bool is_delaunay = triangles == Triangles::Delaunay;
+    const Triangles asked = is_delaunay ? Triangles::Delaunay : Triangles::Front;
+    const Triangles other = is_delaunay ? Triangles::Front : Triangles::Delaunay;
+    for (std::size_t rung = 0; rung < std::size(kRungs); ++rung) {
+      const Recipe recipe = plan.recipe(first);
+      EXPECT_EQ(recipe.triangles, kRungs[rung].other_triangles ? other : asked) << rung;
+      EXPECT_EQ(recipe.lines, LineFronts::OneSided);
+      EXPECT_EQ(recipe.method, rung < kFirstHalving ? Method::QMorph : Method::Merge) << rung;
+      EXPECT_EQ(recipe.keeps_thin_quads, rung >= kFirstHalving) << rung;
+      EXPECT_EQ(recipe.may_retry, rung == 0 && triangles == Triangles::Both) << rung;
+      EXPECT_EQ(climb(plan), rung + 1 < std::size(kRungs));
+    }
+    EXPECT_EQ(plan.recipe(CellId(std::size_t{1})).triangles, asked);  // the other cell is meshed as asked
+  }
+  const Options options{.method = Method::Split};
+  FallbackPlan plan(domain, options);
+  EXPECT_EQ(plan.recipe(first).lines, LineFronts::TwoSided);
+  EXPECT_FALSE(plan.recipe(first).keeps_thin_quads);
+  for (std::size_t rung = 0; rung < kFirstHalving; ++rung) climb(plan);
+  EXPECT_EQ(plan.recipe(first).method, Method::Split);
+  EXPECT_TRUE(plan.recipe(first).keeps_thin_quads);
+}
+
+TEST(FallbackPlan, SizesOfCurvesAndPointsFollowThoseOfTheirCell) {
+  Model model = shapes::two_cells();
+  model.lines[0].size = 0.4;  // between the two cells
+  model.lines[1].size = 0.3;  // in the right one
+  model.points.push_back({.name = "left", .at = {3.3, 3.3}, .size = 0.1});
+  model.points.push_back({.name = "right", .at = {7.3, 3.3}, .size = 0.1});
+  model.points.push_back({.name = "end", .at = {4, 0}, .size = 0.2});
+  Context context;
+  const Domain asked = arrange(model, {}, context);
+  const CellId left = troubles_at(asked, Point{0.5, 0.5}, "")[0].cell;
+  const Options options;
+  FallbackPlan plan(asked, options);
+  for (const double factor : {1.0, 0.7, 0.5, 1.0, 0.5, 0.25}) {  // never factors of factors
+    ASSERT_TRUE(plan.advance({{left, "it looks bad", {}}}));
+    const Domain& domain = plan.domain();
+    for (std::size_t i = 0; i < asked.cells.count(); ++i) {
+      const CellId c(i);
+      EXPECT_DOUBLE_EQ(domain.cells[c].size, asked.cells[c].size * (c == left ? factor : 1));
+    }
+    for (std::size_t i = 0; i < asked.curves.count(); ++i) {
+      const Domain::Curve& curve = asked.curves[CurveId(i)];
+      const bool is_beside = curve.left == left || curve.right == left;
+      EXPECT_DOUBLE_EQ(domain.curves[CurveId(i)].size, curve.size * (is_beside ? factor : 1));
+    }
+    EXPECT_DOUBLE_EQ(domain.points[0].size, 0.1 * factor);
+    EXPECT_DOUBLE_EQ(domain.points[1].size, 0.1);
+    EXPECT_DOUBLE_EQ(domain.points[2].size, 0.2 * factor);
+  }
+}
+
+// Nine cells that take turns.
+TEST(FallbackPlan, GivesUpAfterManyAttempts) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.items = {{{0, 0}}, {{9, 0}}, {{9, 9}}, {{0, 9}}}});
+  for (const double at : {3.0, 6.0}) {
+    model.lines.push_back({.name = {}, .path = {.items = {{{at, 0}}, {{at, 9}}}}});
+    model.lines.push_back({.name = {}, .path = {.items = {{{0, at}}, {{9, at}}}}});
+  }
+  Context context;
+  const Options options;
+  FallbackPlan plan(arrange(model, {}, context), options);
+  ASSERT_EQ(plan.domain().cells.count(), 9u);
+  EXPECT_TRUE(plan.is_first());
+  int n_advanced = 0;
+  for (std::size_t i = 0; plan.advance({{CellId(i % 9), "it looks bad", {}}}); ++i) ++n_advanced;
+  EXPECT_EQ(n_advanced, 23);
+  EXPECT_FALSE(plan.is_first());
+}
+
 TEST_F(Fallback, SameBytesTwice) {
   take_left_to(kFirstHalving);
   const Mesh a = attempt().result.mesh, b = attempt().result.mesh;
@@ -127,31 +270,20 @@ TEST_F(Fallback, CancellingStopsIt) {
   EXPECT_THROW(attempt(), Cancelled);
 }
 
-// Lines that end 1e-5 beside a third, closer than anything that can be meshed as asked.
-Model near_ends() {
-  Model model;
-  model.size = 0.5;
-  model.outer.push_back({.items = {{{0, 0}}, {{8, 0}}, {{8, 6}}, {{0, 6}}}});
-  model.lines.push_back({.name = "deck", .path = {.items = {{{1, 3}}, {{7, 3.4}}}}});
-  for (const auto& [x, y, gap] : {std::array{3.2, 1.0, -1e-5}, std::array{3.5, 5.0, 2e-5}, std::array{3.7, 5.5, 1e-5}})
-    model.lines.push_back({.name = {}, .path = {.items = {{{x, y}}, {{x, 3 + 0.4 * (x - 1) / 6 + gap}}}}});
-  return model;
-}
-
 TEST(FallbackChain, EndsWithAValidMeshAndAFindingForTheCell) {
   Context context;
-  const MeshResult result = generate(near_ends(), {}, context);
+  const MeshResult result = generate(shapes::near_ends(), {}, context);
   ASSERT_FALSE(result.failure) << result.failure->reason;
   ASSERT_FALSE(result.report.findings.empty());
   EXPECT_NE(result.report.findings.back().text.find("a cell of region 'domain' is meshed"), std::string::npos);
-  const MeshResult again = generate(near_ends(), {}, context);
+  const MeshResult again = generate(shapes::near_ends(), {}, context);
   EXPECT_EQ(again.mesh.quads, result.mesh.quads);
   EXPECT_EQ(again.mesh.points, result.mesh.points);
 }
 
 TEST(FallbackChain, AThinQuadTakesItsCellStraightToHalving) {
   Context context;
-  const Domain domain = arrange(near_ends(), {}, context);
+  const Domain domain = arrange(shapes::near_ends(), {}, context);
   const Options options;
   FallbackPlan plan(domain, options);
   CellCache cache(domain.cells.count());
@@ -195,7 +327,7 @@ TEST(MaxQuads, HoldsForFallBacks) {
   Context context;
   Options options;
   options.max_quads = 240;  // more than the first mesh takes, fewer than those that would help
-  const MeshResult result = generate(near_ends(), options, context);
+  const MeshResult result = generate(shapes::near_ends(), options, context);
   ASSERT_TRUE(result.failure);
   EXPECT_LE(static_cast<double>(result.mesh.quads.size()), options.max_quads);
   EXPECT_EQ(result.report.findings.back().text, "what may help needs more quads than allowed");
@@ -209,7 +341,7 @@ TEST(MaxQuads, HoldsForTheFirstMesh) {
             "about 6e+02 quads are expected, more than 100: choose a larger size, or raise --max-quads");
   EXPECT_EQ(refusal(plate, 600), "not refused");
   // more than expected
-  EXPECT_EQ(refusal(near_ends(), 230),
+  EXPECT_EQ(refusal(shapes::near_ends(), 230),
             "236 quads are needed, more than 230: choose a larger size, or raise --max-quads");
 }
 

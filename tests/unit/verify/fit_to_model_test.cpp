@@ -67,6 +67,13 @@ TEST(FitToModel, LeavesOutWhatTheMeshDoesNotHave) {
   EXPECT_EQ(failure->reason, "a vertex of the domain is no node");
 }
 
+TEST(FitToModel, LeavesOutEdgesThatTheMeshDoesNotHave) {
+  Mesh mesh = four_quads();
+  mesh.quads = {mesh.quads[1], mesh.quads[3]};  // nodes 3 and 4 lie on the line, but nothing joins them
+  using Edges = std::vector<std::array<NodeIndex, 2>>;
+  EXPECT_EQ(fit_to_model(mesh, square_with_line()).curves[1].edges, (Edges{{5, 4}}));
+}
+
 // The half disc above a diameter, in two quads: half of its curve runs backwards in the mesh's order of nodes.
 TEST(FitToModel, FollowsArcsAndDrawsNothingNearby) {
   Model model;
