@@ -33,9 +33,14 @@ TEST(CellLoop, TakesTheLargestFirst) {
 
 TEST(CellLoop, RunsEveryCellOnceInThreads) {
   Context context;
-  context.run_all = run_at_once;
+  std::size_t n_jobs = 0;
+  context.run_all = [&](std::size_t n, const std::function<void(std::size_t)>& job) {
+    n_jobs = n;
+    run_at_once(n, job);
+  };
   std::vector<std::atomic<int>> calls(20);
   for_each_cell("test", weights(std::vector<double>(20, 1)), context, [&](CellId c, Context&) { ++calls[c.value]; });
+  EXPECT_EQ(n_jobs, 20u);
   for (const auto& n : calls) EXPECT_EQ(n, 1);
 }
 
