@@ -418,7 +418,8 @@ TEST_F(MeshFiles, TheFormatMayBeNamed) {
   EXPECT_EQ(mesh_file("msh:a.vtu").format, "msh");
   EXPECT_EQ(mesh_file("./msh:a.vtu").format, "vtu");
   EXPECT_EQ(mesh_file("dxf:a.vtu").path, "dxf:a.vtu");
-  EXPECT_EQ(refusal_to_name("dxf:a"), "dxf:a: the format '' is unknown: use .vtu, .msh, .inp, .svg or .json, or name the format: vtu:dxf:a");
+  EXPECT_EQ(refusal_to_name("dxf:a"),
+            "dxf:a: the format '' is unknown: use .vtu, .msh, .inp, .svg or .json, or name the format: vtu:dxf:a");
   EXPECT_EQ(refusal_to_name(""), "the name of a file to write is empty");
 }
 
@@ -429,7 +430,8 @@ TEST_F(MeshFiles, WhatIsNoMeshIsRefused) {
   std::ofstream(folder_ / "empty.vtu").flush();
   EXPECT_EQ(refusal_to_read(folder_ / "empty.vtu"), "empty.vtu: the file is empty");
   std::ofstream(folder_ / "text.msh") << "hello";
-  EXPECT_EQ(refusal_to_read(folder_ / "text.msh"), "text.msh: no mesh that can be read: .vtu, .vtk, .msh (2.2 and 4.1), .inp and .json can");
+  EXPECT_EQ(refusal_to_read(folder_ / "text.msh"),
+            "text.msh: no mesh that can be read: .vtu, .vtk, .msh (2.2 and 4.1), .inp and .json can");
 }
 
 TEST_F(MeshFiles, ArraysThatDoNotFitAreADefect) {
