@@ -103,6 +103,16 @@ TEST(SmoothSteps, FollowEachOther) {
   EXPECT_TRUE(points(whole) == points(patch));
 }
 
+TEST(SmoothSteps, AMoveWakesAllThatShareAQuad) {
+  const Patch patch = shapes::patch({.nx = 4, .ny = 4});
+  const SizeField size = patch.size();
+  Stars stars(patch.mesh, patch.domain, size);
+  for (std::size_t i = 0; i < stars.count(); ++i)
+    if (stars.at(i) == Point{2, 2}) stars.wake_around(i);
+  EXPECT_EQ(stars.take_awake().size(), 9u);
+  EXPECT_TRUE(stars.take_awake().empty());
+}
+
 TEST(Laplacian, GoesToTheMeanOfTheNeighbours) {
   Patch patch = ring_of({0.3, -0.2}, {{1, 0}, {1, 1}, {0, 1.2}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}});
   run(patch, laplacian);

@@ -74,6 +74,15 @@ TEST(FitToModel, LeavesOutEdgesThatTheMeshDoesNotHave) {
   EXPECT_EQ(fit_to_model(mesh, square_with_line()).curves[1].edges, (Edges{{5, 4}}));
 }
 
+TEST(FitToModel, TurnsTheEdgesOfCurvesThatAPathRunsBack) {
+  Domain domain = square_with_line();
+  std::vector<DirectedCurve>& curves = domain.paths[1].curves;
+  std::reverse(curves.begin(), curves.end());
+  for (DirectedCurve& d : curves) d.reversed = !d.reversed;
+  using Edges = std::vector<std::array<NodeIndex, 2>>;
+  EXPECT_EQ(fit_to_model(four_quads(), domain).curves[1].edges, (Edges{{3, 4}, {4, 5}}));
+}
+
 // The half disc above a diameter, in two quads: half of its curve runs backwards in the mesh's order of nodes.
 TEST(FitToModel, FollowsArcsAndDrawsNothingNearby) {
   Model model;
