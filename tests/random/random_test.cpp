@@ -169,6 +169,29 @@ TEST_P(Random, ScalingByAPowerOfTwoScalesTheMeshBitForBit) {
   expect_same(generate(model, {}, context).mesh, generate(large, {}, context).mesh, k);
 }
 
+TEST(Invariants, SeeLinesAndArcsThatAreNotCovered) {
+  const auto sizes = std::ranges::find(families(), "sizes", &Family::name);
+  const Model model = model_of(*sizes, 1);  // line-0 is straight, line-1 an arc
+  Context context;
+  const Mesh mesh = generate(model, {}, context).mesh;
+  ASSERT_EQ(broken(model, mesh), std::vector<std::string>());
+  for (const std::string name : {"line-0", "line-1"}) {
+    Mesh shorter = mesh, doubled = mesh, astray = mesh;
+    const auto edges = [&](Mesh& m) -> auto& { return std::ranges::find(m.curves, name, &EdgeSet::name)->edges; };
+    edges(shorter).pop_back();
+    edges(doubled).push_back(edges(doubled).front());
+    edges(astray).front() = mesh.curves.front().edges.front();  // on the outer loop
+    const auto first_words = [&](const Mesh& m) {
+      const std::vector<std::string> notes = broken(model, m);
+      return notes.empty() ? "" : notes[0].substr(0, notes[0].find(" at "));
+    };
+    EXPECT_EQ(first_words(shorter), "'" + name + "' is not covered");
+    EXPECT_EQ(first_words(doubled), "two edges of '" + name + "' lie on each other");
+    EXPECT_EQ(first_words(astray), "'" + name + "' is not covered");
+    EXPECT_EQ(broken(model, astray).size(), 2u) << "off its line, too";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Families, Random, testing::ValuesIn(families()),
                          [](const auto& family) { return family.param.name; });
 
