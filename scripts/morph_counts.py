@@ -12,6 +12,8 @@ import os
 import subprocess
 import sys
 
+from marked_page import made_by, write_between
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 PAGE = os.path.join(ROOT, "docs", "notes", "2026-12-01-q-morph.md")
 BEGIN, END = "<!-- counts: made by scripts/morph_counts.py -->\n", "<!-- end of the counts -->\n"
@@ -57,11 +59,7 @@ def main(arguments):
         table += "| %s | %s |\n" % (row, " | ".join(str(n) for n in [*numbers, sum(numbers)]))
     print(table, end="")
     if write:
-        with open(PAGE, encoding="utf-8") as f:
-            text = f.read()
-        before, after = text.split(BEGIN)[0], text.split(END)[1]
-        with open(PAGE, "w", encoding="utf-8") as f:
-            f.write(before + BEGIN + table + END + after)
+        write_between(PAGE, BEGIN, END, made_by("scripts/morph_counts.py", quadline) + "\n" + table)
 
 
 if __name__ == "__main__":
