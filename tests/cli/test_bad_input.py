@@ -222,7 +222,7 @@ class BadInput(CommandLine):
         strip = {"size": 1, "outer": [[0, 0], [2e3, 0], [2e3, 0.02], [0, 0.02]]}
         done = self.run_it("mesh", self.put("m.json", strip), "--json", "--max-quads", "3000")
         self.assert_done(done, 2)
-        self.assertRegex(done.stderr, "at least [0-9]+ quads are needed, more than allowed: choose a larger size, or raise --max-quads")
+        self.assertRegex(done.stderr, "at least [0-9]+ quads are needed, more than 3000: choose a larger size, or raise --max-quads")
 
 
 if __name__ == "__main__":

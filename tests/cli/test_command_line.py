@@ -115,7 +115,7 @@ class Usage(CommandLine):
                 ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
                 ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay', 'front' or 'both'"),
                 ("--method", "paving", "'qmorph', 'merge' or 'split'"), ("--tolerance", "0", "a length above 0"),
-                ("--max-quads", "0.5", "a number of 1 or more")]:
+                ("--max-quads", "0.5", "a number from 1 to 1e+09")]:
             with self.subTest(option=option, text=text):
                 self.assert_fails(2, "%s: expected %s, found '%s'" % (option, expected, text), *base, option, text)
         self.assert_fails(2, "--size: expected a length above 0, found '-1'", *base, "--size=-1")
