@@ -10,7 +10,7 @@ namespace quadline {
 
 // The library quadline::json: models and meshes as JSON in memory, with no file opened and no other library needed.
 
-/// Reads a model from the JSON of model v1 (schema/model-v1.schema.json). Numbers are checked to be numbers, not to
+/// Reads a model from the JSON of model v1 (schema/model.schema.json). Numbers are checked to be numbers, not to
 /// make sense: that is for `generate`. Model::size is 0 where none is given.
 /// @param file  what messages call the text.
 /// @throws InputError  (FileSyntax) with the JSON path, or line and column where the text is no JSON.
