@@ -18,11 +18,12 @@ namespace quadline {
 
 namespace {
 
-struct Retry {
+// The points that fill a cell.
+struct Fill {
   Triangles triangles;
   double spacing;
 };
-constexpr std::array<Retry, 3> kRetries{
+constexpr std::array<Fill, 3> kRetries{
     {{Triangles::Delaunay, 1}, {Triangles::Front, kCloser}, {Triangles::Front, kWider}}};
 
 // About the parts of a cell's time that its stages take.
@@ -58,8 +59,8 @@ class CellMesher {
  private:
   void first_try() {
     const Context part = part_of(context_, 0, kCleaned);
-    const Spaced spaced{recipe_.triangles, recipe_.method == Method::QMorph ? 1 : kHalvedSpacing};
-    result_.raw = merged(spaced, result_.counts, clock_, part, input_.wants_snapshots);
+    const Fill fill{recipe_.triangles, recipe_.method == Method::QMorph ? 1 : kHalvedSpacing};
+    result_.raw = merged(fill, result_.counts, clock_, part, input_.wants_snapshots);
     result_.start = fingerprint(result_.raw);
     if (const CellCache::Entry* known = find_known()) {
       result_.mesh = known->mesh;
@@ -83,7 +84,7 @@ class CellMesher {
       StageClock clock;  // all retries are one stage
       try {
         MorphCounts counts;
-        WorkMesh other = merged({kRetries[i].triangles, kRetries[i].spacing}, counts, clock, part, false);
+        WorkMesh other = merged(kRetries[i], counts, clock, part, false);
         const std::uint64_t start = fingerprint(other);
         if (std::find(seen.begin(), seen.end(), start) != seen.end()) continue;
         seen.push_back(start);
@@ -99,10 +100,8 @@ class CellMesher {
     }
   }
 
-  using Spaced = Retry;
-
   // From nodes to quads, before clean-up.
-  WorkMesh merged(const Spaced& spaced, MorphCounts& counts, StageClock& clock, const Context& context, bool seen) {
+  WorkMesh merged(const Fill& fill, MorphCounts& counts, StageClock& clock, const Context& context, bool seen) {
     WorkMesh mesh = input_.nodes.of(input_.cell);
     run(clock, "triangulate", context, 0, kTriangulated, [&](Context& own) {
       triangulate(mesh, input_.domain, own);
@@ -110,7 +109,7 @@ class CellMesher {
     });
     if (seen) keep("triangulation", mesh);
     run(clock, "field points", context, kTriangulated, kFilled,
-        [&](Context& own) { insert_field_points(mesh, input_.sizes.at(spaced.spacing), spaced.triangles, own); });
+        [&](Context& own) { insert_field_points(mesh, input_.sizes.at(fill.spacing), fill.triangles, own); });
     if (seen) keep("field-points", mesh);
     if (recipe_.method == Method::QMorph) {
       counts = morph(mesh, clock, context, seen);
