@@ -68,7 +68,7 @@ class Completion {
   }
 
  private:
-  bool is_dual(HalfId h) const { return !mesh_.is_constraint(h) && mesh_.is_triangle(h) && mesh_.is_triangle(twin(h)); }
+  bool is_dual(HalfId h) const { return mesh_.can_merge(edge_of(h)) == Refusal::None; }
   int& degree(EdgeId e, int side) { return degree_[mesh_.topo().face(half_of(e, side))]; }
   void flip(EdgeId e) {
     const int change = in_join_[e] ? -1 : 1;
@@ -164,8 +164,8 @@ class Completion {
 void Morph::complete() {
   const Topology& topo = mesh_.topo();
   std::vector<FaceId> triangles;
-  for (std::size_t i = 0; i < topo.face_capacity(); ++i)
-    if (topo.is_live(FaceId(i)) && topo.is_triangle(FaceId(i))) triangles.push_back(FaceId(i));
+  for (const FaceId f : topo.faces())
+    if (topo.is_triangle(f)) triangles.push_back(f);
   if (triangles.empty()) return;
   Completion completion(mesh_, triangles);
   completion.choose();

@@ -71,7 +71,7 @@ bool Morph::enclosed_triangles(HalfId start, const std::vector<EdgeId>& rim, std
     topo.for_each_half(inside[i], [&](HalfId h) {
       if (!contains(rim_nodes, topo.tail(h)) && !contains(nodes, topo.tail(h))) nodes.push_back(topo.tail(h));
       if (contains(rim, edge_of(h))) return;
-      if (mesh_.is_constraint(h) || !mesh_.is_triangle(twin(h))) {
+      if (mesh_.can_merge(edge_of(h)) != Refusal::None) {
         enclosed = false;
       } else if (!contains(inside, topo.face(twin(h)))) {
         inside.push_back(topo.face(twin(h)));
@@ -95,7 +95,7 @@ void Morph::put_quads(const std::vector<FaceId>& cavity, const std::vector<Polyg
   mesh_.replace_cavity(cavity, quads, made);
   for (const FaceId f : made)
     mesh_.topo().for_each_half(f, [&](HalfId h) {
-      if (mesh_.is_triangle(twin(h)) && !mesh_.is_constraint(h)) set_level(edge_of(h), level);
+      if (mesh_.is_triangle(twin(h)) && mesh_.can_cross(h) == Refusal::None) set_level(edge_of(h), level);
     });
 }
 

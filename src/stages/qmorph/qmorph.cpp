@@ -15,9 +15,8 @@ Morph::Morph(WorkMesh& mesh, const SizeField& size) : mesh_(mesh), size_(size) {
   counts_.n_triangles = mesh.topo().face_count();
   insertions_ = mesh.topo().node_count() / 4 + 64;
   const Topology& topo = mesh.topo();
-  for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
-    const EdgeId e(i);
-    if (!topo.is_live(e) || !mesh.is_constraint(e)) continue;
+  for (const EdgeId e : topo.edges()) {
+    if (!mesh.is_constraint(e)) continue;
     if (parity_.tie(topo.tail(half_of(e, 0)), topo.tail(half_of(e, 1)), true)) continue;
     const Point p = mesh.point(topo.tail(half_of(e, 0)));
     throw InternalError("the edges round a cell are odd in number", {.file = {}, .place = {}, .point = p});
@@ -119,12 +118,9 @@ class Driver {
   }
 
   void push_all() {
-    const Topology& topo = mesh_.topo();
-    for (std::size_t i = 0; i < topo.edge_capacity(); ++i) {
-      if (!topo.is_live(EdgeId(i))) continue;
+    for (const EdgeId e : mesh_.topo().edges())
       for (int side = 0; side < 2; ++side)
-        if (const HalfId h = half_of(EdgeId(i), side); is_front(mesh_, h) && !is_asleep(h)) queue_.push(h);
-    }
+        if (const HalfId h = half_of(e, side); is_front(mesh_, h) && !is_asleep(h)) queue_.push(h);
   }
 
   bool is_asleep(HalfId h) const { return asleep_ && asleep_->contains(h); }

@@ -107,7 +107,7 @@ NodeId Morph::shorten_edge(HalfId side) {
 
 NodeId Morph::swap_for_edge(const Corner& corner, HalfId cut, Point direction, double longest, NodeId foot) {
   const Topology& topo = mesh_.topo();
-  if (mesh_.is_constraint(cut) || !mesh_.is_triangle(twin(cut)) || is_held(edge_of(cut))) return {};
+  if (mesh_.can_merge(edge_of(cut)) != Refusal::None || is_held(edge_of(cut))) return {};
   const NodeId v = topo.head(topo.next(twin(cut)));
   const Point side = mesh_.point(v) - mesh_.point(corner.node);
   if (v == foot || norm(side) >= longest || closeness(side, direction) <= kFan) return {};
@@ -123,7 +123,7 @@ NodeId Morph::swap_for_edge(const Corner& corner, HalfId cut, Point direction, d
 
 NodeId Morph::split_for_edge(const Corner& corner, HalfId cut, Point direction) {
   const Topology& topo = mesh_.topo();
-  if (mesh_.is_constraint(cut) || !mesh_.is_triangle(twin(cut)) || is_held(edge_of(cut)) || !may_insert()) return {};
+  if (mesh_.can_merge(edge_of(cut)) != Refusal::None || is_held(edge_of(cut)) || !may_insert()) return {};
   const Point k = mesh_.point(corner.node), a = mesh_.point(topo.tail(cut)), b = mesh_.point(topo.head(cut));
   const double across = cross(b - a, direction);
   const double t = across == 0 ? 0.5 : cross(k - a, direction) / across;

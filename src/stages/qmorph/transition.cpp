@@ -29,7 +29,7 @@ bool Morph::transition(const Corner& corner) {
   const bool mirrored = in > out;  // the long edge arrives at the corner instead of leaving it
   const HalfId longer = mirrored ? corner.in : corner.out;
   const FaceId ahead = topo.face(longer), behind = topo.face(twin(longer));
-  if (mesh_.is_constraint(longer) || !behind.valid() || topo.is_triangle(behind)) return false;
+  if (mesh_.can_cross(longer) != Refusal::None || topo.is_triangle(behind)) return false;
   if (scaled_jacobian(mesh_.quad_points(behind)) < kSoundQuad) return false;
 
   // The quad behind is k, b, d, c; the triangle ahead is k, b, x.
