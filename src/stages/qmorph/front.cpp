@@ -10,8 +10,8 @@ namespace quadline {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kWidest_rad = 165 * kPi / 180;  // no quad gets a wider corner on purpose
-constexpr Angle kSeamBelow = degrees(30);        // [Lee2003], [Owen1999]
+constexpr double kWidestInRadians = 165 * kPi / 180;  // no quad gets a wider corner on purpose
+constexpr Angle kSeamBelow = degrees(30);             // [Lee2003], [Owen1999]
 constexpr Angle kSeamAtMost = degrees(60);
 
 double square(double x) { return x * x; }
@@ -27,7 +27,7 @@ int quads_at_free_node(Angle angle, int quads_there) {
   int best = 4;
   double least = cost(angle_rad, 4, quads_there);
   for (int k = 3; k >= 1; --k) {
-    if (angle_rad / k > kWidest_rad) break;
+    if (angle_rad / k > kWidestInRadians) break;
     if (const double c = cost(angle_rad, k, quads_there); c < least) {
       least = c;
       best = k;

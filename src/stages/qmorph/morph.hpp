@@ -44,7 +44,7 @@ class Morph {
 
  private:
   // side_edge.cpp
-  NodeId reuse_edge(const Corner& corner, Point direction, double widest, NodeId foot);
+  NodeId reuse_edge(const Corner& corner, Point direction, double least_cosine, NodeId foot);
   NodeId swap_for_edge(const Corner& corner, HalfId cut, Point direction, double longest, NodeId foot);
   NodeId split_for_edge(const Corner& corner, HalfId cut, Point direction);
   NodeId shorten_edge(HalfId side);

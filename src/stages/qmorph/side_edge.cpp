@@ -56,13 +56,13 @@ NodeId Morph::side_edge(const Corner& corner, End end) {
   return reuse_edge(corner, direction, kLastFan, foot);
 }
 
-// The edge of the corner's fan nearest to the direction, closer than `least`, that keeps the loops even.
-NodeId Morph::reuse_edge(const Corner& corner, Point direction, double least, NodeId foot) {
+// The edge of the corner's fan nearest to the direction, closer than `least_cosine` says, that keeps the loops even.
+NodeId Morph::reuse_edge(const Corner& corner, Point direction, double least_cosine, NodeId foot) {
   const Topology& topo = mesh_.topo();
   const Point k = mesh_.point(corner.node);
   const double longest = kLongest * size_at(k);
-  double best = least;
-  double best_split = least;
+  double best = least_cosine;
+  double best_split = least_cosine;
   HalfId found, to_split;
   bool would_be_odd = false;  // the edge to split, if taken whole
   for (HalfId h = topo.rotate_ccw(corner.out); h != twin(corner.in) && h != corner.out; h = topo.rotate_ccw(h)) {
