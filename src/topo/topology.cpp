@@ -228,7 +228,9 @@ void Topology::remove_face(FaceId f) {
 
 void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Polygon> polygons,
                               std::vector<FaceId>& made, std::vector<HalfId>& fresh) {
-  auto& [rim, open, inside, nodes] = scratch_;
+  std::vector<HalfId>&rim = scratch_.rim, &open = scratch_.open;
+  std::vector<EdgeId>& inside = scratch_.inside;
+  std::vector<NodeId>& nodes = scratch_.nodes;
   rim.clear();     // half-edges of the cavity whose twin lies outside it; each waits for a polygon
   open.clear();    // second sides of new edges
   inside.clear();  // edges with both sides in the cavity
