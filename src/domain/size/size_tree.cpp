@@ -132,7 +132,10 @@ bool SizeTree::is_bent(const Node& node, const std::function<double(Point)>& ask
   const Box box = box_of(node);
   const double half = 0.5 * (box.hi.x - box.lo.x);
   std::array<double, 9> h;
-  for (int k = 0; k < 9; ++k) h[k] = asked_at(inside_box({box.lo.x + (k % 3) * half, box.lo.y + (k / 3) * half}));
+  for (int k = 0; k < 9; ++k) {
+    const int column = k % 3, row = k / 3;
+    h[k] = asked_at(inside_box({box.lo.x + column * half, box.lo.y + row * half}));
+  }
   const double least = *std::min_element(h.begin(), h.end());
   if (2 * half <= kLeafShare * least) return false;
   if (node.depth < kWishDepth) return true;
