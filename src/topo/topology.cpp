@@ -231,8 +231,8 @@ void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
   std::vector<HalfId>&rim = scratch_.rim, &open = scratch_.open;
   std::vector<EdgeId>& inside = scratch_.inside;
   std::vector<NodeId>& nodes = scratch_.nodes;
-  rim.clear();     // half-edges of the cavity whose twin lies outside it; each waits for a polygon
-  open.clear();    // second sides of new edges
+  // Half-edges of the cavity whose twin lies outside it, each waits for a polygon; second sides of new edges; new ones.
+  for (std::vector<HalfId>* halves : {&rim, &open, &fresh}) halves->clear();
   inside.clear();  // edges with both sides in the cavity
   nodes.clear();
   for (const FaceId f : faces) for_each_half(f, [&](HalfId h) { half_[h].face = kInCavity; });
@@ -263,7 +263,6 @@ void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
     return HalfId();
   };
   made.clear();
-  fresh.clear();
   for (const Polygon& p : polygons) {
     std::array<HalfId, 4> side;
     for (int i = 0; i < p.n; ++i) {
@@ -284,9 +283,8 @@ void Topology::replace_cavity(std::span<const FaceId> faces, std::span<const Pol
     made.push_back(f);
   }
   QUADLINE_CHECK(rim.empty() && open.empty());  // the polygons fill the boundary of the cavity
-  for (const NodeId v : nodes) {
+  for (const NodeId v : nodes)
     if (out_[v] == HalfId()) remove_node(v);
-  }
 }
 
 Topology::Renumbering Topology::compact() {
