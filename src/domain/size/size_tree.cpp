@@ -19,7 +19,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kLeafShare = 0.35;  // side of a leaf over the least size asked in it
 constexpr std::size_t kMaxNodes = std::size_t{1} << 23;
-constexpr int kWishDepth = 6;  // leaves that see the size function at least, 64 along a side
+constexpr int kLeastDepth = 6;  // leaves that see the size function at least, 64 along a side
 constexpr double kBend =
     0.05;  // of the least size in a leaf: how far the size function may be from what its corners tell
 constexpr std::size_t kMaxBent = std::size_t{1} << 17;  // leaves split for the size function alone
@@ -138,7 +138,7 @@ bool SizeTree::is_bent(const Node& node, const std::function<double(Point)>& ask
   }
   const double least = *std::min_element(h.begin(), h.end());
   if (2 * half <= kLeafShare * least) return false;
-  if (node.depth < kWishDepth) return true;
+  if (node.depth < kLeastDepth) return true;
   const double off = std::max({std::abs(h[1] - 0.5 * (h[0] + h[2])), std::abs(h[3] - 0.5 * (h[0] + h[6])),
                                std::abs(h[5] - 0.5 * (h[2] + h[8])), std::abs(h[7] - 0.5 * (h[6] + h[8])),
                                std::abs(h[4] - 0.25 * ((h[0] + h[8]) + (h[2] + h[6])))});
