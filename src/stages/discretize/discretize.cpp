@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stages/discretize/chords.hpp"
+#include "stages/discretize/circle_twins.hpp"
 #include "stages/discretize/intervals.hpp"
 #include "stages/discretize/metric_length.hpp"
 
@@ -22,9 +23,13 @@ class Discretizer {
   }
 
   void choose_places() {
+    IdVector<CurveId, double> lengths;
+    lengths.reserve(domain_.curves.count());
+    for (const Domain::Curve& c : domain_.curves) lengths.push_back(MetricLength(c.piece, size_).total());
+    twins_ = circle_twins(domain_, lengths);
     IdVector<CurveId, CountTarget> targets;
     targets.reserve(domain_.curves.count());
-    for (std::size_t i = 0; i < domain_.curves.count(); ++i) targets.push_back(target(CurveId(i)));
+    for (std::size_t i = 0; i < domain_.curves.count(); ++i) targets.push_back(target(CurveId(i), lengths[CurveId(i)]));
     const IdVector<CurveId, std::uint32_t> counts = choose_counts(domain_, std::move(targets));
     places_.assign(counts.count(), {});
     lines_.assign(counts.count(), {});
@@ -38,8 +43,9 @@ class Discretizer {
   void refine_arcs() {
     constexpr int kMaxRounds = 16;
     for (int round = 0; round < kMaxRounds; ++round) {
-      const std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, uses_);
+      std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, uses_);
       if (coarse.empty()) return;
+      add_twins(coarse);
       for (CurveId c : coarse) {
         const auto count = static_cast<std::uint32_t>(places_[c].size() + 1);
         place(c, count + 2 * (count / 4 + 1));
@@ -67,12 +73,18 @@ class Discretizer {
  private:
   /// Where all edges will be halved, the counts are those before: even round every cell, as pairs of triangles want.
   /// Else they are those of the mesh in the end.
-  CountTarget target(CurveId c) const {
-    const double length = MetricLength(domain_.curves[c].piece, size_).total();
+  CountTarget target(CurveId c, double length) const {
     const std::uint32_t least = size_.least_edges(c);
-    if (all_halved_) return {length / 2, (least + 1) / 2};
-    const bool is_even = uses_[c] == EdgeUse::Halved;
-    return {length, is_even ? least + least % 2 : least, is_even};
+    if (all_halved_) return {length / 2, (least + 1) / 2, false, twins_[c]};
+    const CountTarget target{length, least, uses_[c] == EdgeUse::Halved, twins_[c]};
+    return {length, target.is_even() ? least + least % 2 : least, target.is_halved, target.twin};
+  }
+
+  void add_twins(std::vector<CurveId>& curves) const {
+    for (std::size_t i = curves.size(); i-- > 0;)
+      if (const CurveId twin = twins_[curves[i]]; twin.valid()) curves.push_back(twin);
+    std::sort(curves.begin(), curves.end());
+    curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
   }
 
   void place(CurveId c, std::uint32_t count) {
@@ -86,6 +98,7 @@ class Discretizer {
   const Domain& domain_;
   const SizeField& size_;
   IdVector<CurveId, EdgeUse> uses_;
+  IdVector<CurveId, CurveId> twins_;  ///< see CountTarget
   bool all_halved_ = true;
   IdVector<CurveId, std::vector<double>> places_;  ///< arc lengths of the nodes inside each curve
   Polylines lines_;

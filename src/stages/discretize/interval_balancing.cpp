@@ -36,7 +36,7 @@ class IntervalBalancing {
       for (std::uint32_t k = 0; k < 4; ++k) {
         if (!submap.is_close[k % 2]) continue;
         for (CurveId c : submap.sides[k]) {
-          if (state_.target(c).is_even) continue;
+          if (state_.target(c).is_even()) continue;
           const std::int64_t excess = state_.sum(b, k) - state_.sum(b, (k + 2) % 4);
           if (excess == 0) break;
           is_better |= try_from(c, excess > 0 ? -1 : 1);
@@ -124,7 +124,7 @@ class IntervalBalancing {
   double crossing_cost(CurveId c, int step) const {
     const CountTarget& target = state_.target(c);
     const std::int64_t count = static_cast<std::int64_t>(state_.count(c)) + step;
-    if (target.is_even || count < std::max<std::int64_t>(1, target.least)) return kInfinity;
+    if (target.is_even() || count < std::max<std::int64_t>(1, target.least)) return kInfinity;
     const double cost = count_cost(target, static_cast<std::uint32_t>(count)) - count_cost(target, state_.count(c));
     return std::max(0.0, cost);
   }

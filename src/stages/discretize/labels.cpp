@@ -63,7 +63,7 @@ IdVector<CurveId, std::uint32_t> first_counts(const Domain& domain, const CountS
   std::vector<CurveId> order;
   for (std::size_t i = 0; i < domain.curves.count(); ++i) {
     const CountTarget& target = state.target(CurveId(i));
-    preference.push_back(target.is_even
+    preference.push_back(target.is_even()
                              ? -kInfinity
                              : count_cost(target, best_count(target, 0)) - count_cost(target, best_count(target, 1)));
     order.push_back(CurveId(i));
@@ -106,7 +106,7 @@ class Flips {
   bool gather(VertexId v, VertexId but) {
     for (const CurveId c : curves_at_[v.value]) {
       if (domain_.curves[c].tail == but || domain_.curves[c].head == but) continue;
-      if (state_.target(c).is_even) return false;
+      if (state_.target(c).is_even()) return false;
       changes_.push_back({c, best_count(state_.target(c), 1 - (state_.count(c) & 1))});
     }
     return true;
@@ -120,6 +120,7 @@ class Flips {
     const std::int64_t count = static_cast<std::int64_t>(state_.count(c)) + by;
     if (count < std::max<std::int64_t>(1, state_.target(c).least)) return false;
     changes_.assign(1, {c, static_cast<std::uint32_t>(count)});
+    if (const CurveId twin = state_.target(c).twin; twin.valid()) changes_.push_back({twin, changes_[0].count});
     return state_.try_changes(changes_);
   }
 

@@ -7,9 +7,7 @@ namespace quadline::smoothing {
 
 namespace {
 
-constexpr double kLeastGap = 0.3;   // of the way between two neighbours on a curve: how near a node may slide to one
-constexpr double kStraightWay = 1;  // of the way to the first place of a neighbour: how far a node may slide
-constexpr double kArcWay = 0.25;    // the same on arcs, where long edges would cut them short
+constexpr double kLeastGap = 0.3;  // of the way between two neighbours on a curve: how near a node may slide to one
 constexpr std::size_t kFewAwake = 16;
 
 }  // namespace
@@ -41,10 +39,11 @@ void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
   first_.push_back(static_cast<std::uint32_t>(spokes_.size()));
 }
 
-// False where the node has to stay: at a vertex, or beside a curve that is broken.
+// False where the node has to stay: at a vertex, on an arc, or beside a curve that is broken. Even chords are what the
+// eye sees first on a hole, and long ones would cut its arc short.
 bool Stars::add_slide(const WorkMesh& mesh, NodeId v) {
   const NodeTag& tag = mesh.tag(v);
-  if (tag.kind != NodeKind::OnCurve) return false;
+  if (tag.kind != NodeKind::OnCurve || domain_.curves[tag.curve].piece.is_arc()) return false;
   Slide slide{tag.curve, tag.s, kNone, kNone, 0, length(domain_.curves[tag.curve].piece), 0, 0};
   mesh.topo().for_each_out(v, [&](HalfId h) {
     if (mesh.curve(edge_of(h)) != tag.curve) return;
@@ -62,9 +61,8 @@ bool Stars::add_slide(const WorkMesh& mesh, NodeId v) {
 
 void Stars::limit_slides() {
   for (Slide& slide : slides_) {
-    const double way = domain_.curves[slide.curve].piece.is_arc() ? kArcWay : kStraightWay;
-    slide.least = slide.s - way * (slide.s - place_of(slide.before, slide, true));
-    slide.most = slide.s + way * (place_of(slide.after, slide, false) - slide.s);
+    slide.least = place_of(slide.before, slide, true);
+    slide.most = place_of(slide.after, slide, false);
   }
 }
 

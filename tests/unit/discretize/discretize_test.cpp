@@ -144,6 +144,33 @@ TEST(Discretize, EqualCurvesGetEqualCountsAndHolesTheirQuarters) {
   EXPECT_EQ(counts(domain, mesh), (std::vector<unsigned>{10, 10, 10, 10, 6, 6}));
 }
 
+/// Chords of the arcs of a domain, in their order round one circle.
+std::vector<double> chords(const Domain& domain, const WorkMesh& mesh) {
+  std::vector<double> lengths;
+  for (const Segment& s : mesh.segments())
+    if (domain.curves[s.curve].piece.is_arc()) lengths.push_back(distance(mesh.point(s.a), mesh.point(s.b)));
+  return lengths;
+}
+
+TEST(Discretize, CirclesHaveAMultipleOfFourEqualChords) {
+  for (int k = 1; k < 30; ++k) {
+    SCOPED_TRACE(k);
+    Model model = square_model(10, 0.6);
+    const double r = 0.13 * k;
+    model.holes.push_back({{}, Circle{{5, 5}, r}, ""});
+    if (k % 2 == 0) model.lines.push_back({"", {{{{0, 5}, {}}, {{5 - r, 5}, {}}}, {}, ""}, {}});
+    if (k % 3 == 0) model.lines.push_back({"", {{{{10, 5}, {}}, {{5 + r, 5}, {}}}, {}, ""}, {}});
+    const Domain domain = arranged(model);
+    const CellSet all = all_cells(domain);
+    for (const CellSet& halved : {CellSet(), all}) {
+      const std::vector<double> lengths = chords(domain, nodes_of(domain, {}, halved));
+      EXPECT_EQ(lengths.size() % 4, 0u);
+      const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
+      EXPECT_LT(*most / *least, 1.01);
+    }
+  }
+}
+
 TEST(Discretize, TinyHoleHasEightEdges) {
   const Domain domain = shapes::square_with_hole(10, 0.02, 1);
   const WorkMesh mesh = nodes_of(domain);
