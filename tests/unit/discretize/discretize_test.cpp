@@ -171,6 +171,61 @@ TEST(Discretize, CirclesHaveAMultipleOfFourEqualChords) {
   }
 }
 
+/// Greatest ratio of two chords that follow each other on the circle of a radius round (5, 5).
+double greatest_step(const WorkMesh& mesh, double radius) {
+  std::map<double, Point> round;
+  for (std::size_t i = 0; i < mesh.topo().node_capacity(); ++i) {
+    const Point p = mesh.point(NodeId(i)) - Point{5, 5};
+    if (std::abs(norm(p) - radius) < 1e-9) round[std::atan2(p.y, p.x)] = p;
+  }
+  std::vector<double> lengths;
+  for (auto at = round.begin(); at != round.end(); ++at) {
+    const auto next = std::next(at) == round.end() ? round.begin() : std::next(at);
+    lengths.push_back(distance(at->second, next->second));
+  }
+  double most = 1;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double ratio = lengths[i] / lengths[(i + 1) % lengths.size()];
+    most = std::max({most, ratio, 1 / ratio});
+  }
+  return most;
+}
+
+// Fine at a point beside the circle, or along a line that meets it: sizes grade by 0.26, and counts are rounded.
+TEST(Discretize, ChordsThatFollowEachOtherOnACircleDifferLittle) {
+  for (int k = 0; k < 24; ++k) {
+    SCOPED_TRACE(k);
+    Model model = square_model(10, 1.2);
+    model.holes.push_back({{}, Circle{{5, 5}, 1.5 + 0.06 * k}, ""});
+    const Point out{std::cos(0.26 * k), std::sin(0.26 * k)};
+    const double r = model.holes[0].circle->radius;
+    if (k % 2 == 0) {
+      model.points.push_back({"", Point{5, 5} + (r + 0.1) * out, 0.1});
+    } else {
+      model.lines.push_back({"", {{{Point{5, 5} + r * out, {}}, {Point{5, 5} + (r + 0.8) * out, {}}}, {}, ""}, 0.15});
+    }
+    EXPECT_LT(greatest_step(nodes_of(arranged(model)), r), 1.15);
+  }
+}
+
+TEST(MetricLength, CrowdingChangesEdgesSmoothlyAndSymmetrically) {
+  const CurvePiece arc = arc_through({1, 0}, {0, 1}, {-1, 0});
+  Context context;
+  const MetricLength metric(arc, make_size_field(shapes::rectangle(4, 3, 0.5), {}, context));
+  const std::vector<double> places = metric.places(10, {2, 2});
+  double last = 0, edge = 0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(places[i] + places[8 - i], length(arc), 1e-12);
+    if (i > 0 && i < 5) {
+      EXPECT_GT(places[i] - last, edge);
+    }
+    edge = places[i] - last;
+    last = places[i];
+  }
+  EXPECT_NEAR(places[0], 0.05 * length(arc), 0.01 * length(arc));  // half of an equal edge
+  EXPECT_EQ(metric.places(4, {})[0], 0.25 * length(arc));
+}
+
 TEST(Discretize, TinyHoleHasEightEdges) {
   const Domain domain = shapes::square_with_hole(10, 0.02, 1);
   const WorkMesh mesh = nodes_of(domain);
