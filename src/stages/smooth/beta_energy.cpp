@@ -8,8 +8,9 @@ namespace quadline::smoothing {
 namespace {
 
 // Weights beside the stand-in: of its square, for the worst quads; of the inverse mean ratio of each corner, and of
-// (n + 1/n) / 2 of each edge with n its squared length over the target's, as beta does not see stretch.
-constexpr double kSquare = 0.2, kShape = 0.1, kSize = 0.06;
+// (n + 1/n) / 2 of each edge with n its squared length over the target's, as beta does not see stretch; of rows, whose
+// edges it does not see to be uneven.
+constexpr double kSquare = 0.5, kShape = 0.1, kSize = 0.06, kRows = 20;
 constexpr double kFlat = 1e-6;  // a quad whose opposite corner is flat has no beta to raise
 
 // exp(x) and exp(-x) of the three differences.
@@ -76,6 +77,11 @@ Quadratic BetaEnergy::derivatives(const Star& star) const {
     add_size(q.b, sum);
     add_size(q.d, sum);
   }
+  for (const Star::Row& row : star.rows()) {
+    sum.value += kRows * row.misses2({});
+    sum.gradient += (-2 * kRows * row.weight) * row.place;
+    sum.add_identity(2 * kRows * row.weight);
+  }
   return sum;
 }
 
@@ -96,6 +102,7 @@ double BetaEnergy::value(const Star& star, Point at, double floor2) const {
     sum += 0.5 * kShape * ((p.u2 + p.v2) / p.det + (b.u2 + b.v2) / b.det + (d.u2 + d.v2) / d.det);
     sum += kSize * (p.u2 + 1 / p.u2 + p.v2 + 1 / p.v2);
   }
+  for (const Star::Row& row : star.rows()) sum += kRows * row.misses2(at);
   return sum;
 }
 

@@ -6,7 +6,8 @@
 
 namespace quadline::smoothing {
 
-/// Sum over the quads of a smooth stand-in for -ln(beta) [Lee2003 eq 2], with terms that keep shape and size.
+/// Sum over the quads of a smooth stand-in for -ln(beta) [Lee2003 eq 2], with terms that keep shape, size and even
+/// rows.
 ///
 /// With L the logarithms of the four triangle coefficients alpha of a quad, -ln(beta) is the greatest of |x1|, |x2|,
 /// |x3|, the differences between two of the L and the other two. In its place stands sqrt(y + epsilon^2), where y is

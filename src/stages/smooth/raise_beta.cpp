@@ -10,7 +10,7 @@ namespace quadline::smoothing {
 
 namespace {
 
-constexpr double kRoundings[] = {0.3, 0.1, 0.03};
+constexpr double kRoundings[] = {0.3, 0.05};
 constexpr double kOver = 1.8;
 
 }  // namespace

@@ -14,9 +14,11 @@ struct SmoothOptions {
   std::optional<Criteria> criteria{};  ///< limits that nodes move towards at last; growth is not looked at
 };
 
-/// Smoothing: constrained Laplacian, untangling, optimisation of the shape and of the worst elements, polish of beta.
+/// Smoothing: constrained Laplacian, untangling, optimisation of the shape and of the worst elements, polish of beta
+/// and of even rows.
 ///
-/// Nodes on curves slide along them and keep their order; nodes at vertices stay. The connectivity stays.
+/// Nodes on straight curves slide along them and keep their order; those on arcs and at vertices stay. So does the
+/// connectivity.
 ///
 /// @pre   quads only.
 /// @post  Around every node that was sound the least scaled Jacobian is no lower than before, or above 0.84. Around

@@ -57,8 +57,18 @@ class Star {
       q.alpha_c = cross(q.bc, q.cd) / (q.bc2 + q.cd2 + q.bd2);
       quads_.push_back(q);
     }
+    gather_rows(stars, i, unit);
   }
   std::span<const Quad> quads() const { return quads_; }
+
+  /// Where the node would make two edges equal that follow each other: those that meet at it, or an edge of its own and
+  /// the one beyond. The square of the way there is, times the weight, the same for equal ratios of the two.
+  struct Row {
+    Point place;
+    double weight;
+    double misses2(Point p) const { return weight * norm2(place - p); }
+  };
+  std::span<const Row> rows() const { return rows_; }
 
   /// Signed square of the least sine of the corners that move, with the node at p; those opposite to it do not.
   double least_sine2(Point p) const {
@@ -79,7 +89,27 @@ class Star {
   }
 
  private:
+  void gather_rows(const Stars& stars, std::size_t i, double unit) {
+    const Point origin = stars.at(i);
+    rows_.clear();
+    const auto add_across = [&](Point a, Point b) { rows_.push_back({0.5 * (a + b), 1 / norm2(a - b)}); };
+    if (stars.is_regular(i)) {
+      add_across(quads_[0].b, quads_[2].b);
+      add_across(quads_[1].b, quads_[3].b);
+    } else if (stars.slides(i)) {
+      const auto& [a, b] = stars.beside(i);
+      add_across(unit * (a - origin), unit * (b - origin));
+    }
+    const std::span<const Spoke> spokes = stars.spokes(i);
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+      if (spokes[k].beyond == kNone) continue;
+      const Point beyond = unit * (stars.point(spokes[k].beyond) - origin);
+      rows_.push_back({2.0 * quads_[k].b - beyond, 0.25 / norm2(beyond)});
+    }
+  }
+
   std::vector<Quad> quads_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace quadline::smoothing

@@ -22,6 +22,7 @@ Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size) 
     if (mesh.is_free(v) || add_slide(mesh, v)) add_star(mesh, v, size);
   }
   limit_slides();
+  find_beyond();
   awake_.assign(node_.size(), 0);
 }
 
@@ -34,7 +35,7 @@ void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
   topo.for_each_out(v, [&](HalfId h) {
     if (!topo.face(h).valid()) return;
     const HalfId b = topo.next(h), c = topo.next(b);
-    spokes_.push_back({topo.tail(b).value, topo.tail(c).value, topo.head(c).value});
+    spokes_.push_back({topo.tail(b).value, topo.tail(c).value, topo.head(c).value, kNone});
   });
   first_.push_back(static_cast<std::uint32_t>(spokes_.size()));
 }
@@ -64,6 +65,17 @@ void Stars::limit_slides() {
     slide.least = place_of(slide.before, slide, true);
     slide.most = place_of(slide.after, slide, false);
   }
+}
+
+void Stars::find_beyond() {
+  for (std::size_t i = 0; i < count(); ++i)
+    for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const std::uint32_t star = star_of_[spokes_[k].next];
+      if (star == kNone || !is_regular(star)) continue;
+      const std::span<const Spoke> round = spokes(star);
+      for (std::size_t back = 0; back < 4; ++back)
+        if (round[back].next == node_[i]) spokes_[k].beyond = round[(back + 2) % 4].next;
+    }
 }
 
 double Stars::place_of(std::uint32_t neighbour, const Slide& slide, bool before) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/constants.hpp"
@@ -11,9 +12,10 @@
 
 namespace quadline::smoothing {
 
-/// The three other corners of a quad, counter-clockwise after the node in question.
+/// The three other corners of a quad, counter-clockwise after the node in question; and where the edge to the next
+/// goes on straight through a regular node, the end of the edge beyond it, else none.
 struct Spoke {
-  std::uint32_t next, opposite, previous;
+  std::uint32_t next, opposite, previous, beyond;
 };
 
 /// The movable nodes of a mesh and the quads round each, in flat arrays: smoothing reads nothing else.
@@ -25,6 +27,11 @@ class Stars {
   std::span<const Spoke> spokes(std::size_t i) const {
     return {spokes_.data() + first_[i], spokes_.data() + first_[i + 1]};
   }
+  /// Four quads all round it.
+  bool is_regular(std::size_t i) const {
+    const std::span<const Spoke> s = spokes(i);
+    return s.size() == 4 && s[3].previous == s[0].next;
+  }
   Point at(std::size_t i) const { return point_[node_[i]]; }
   Point point(std::uint32_t node) const { return point_[node]; }
   /// Target edge length at the node's first place, model units.
@@ -34,6 +41,11 @@ class Stars {
   bool slides(std::size_t i) const { return slide_of_[i] != kNone; }
   /// Unit vector from one neighbour along the curve of sliding node i to the other.
   Point tangent(std::size_t i) const;
+  /// Its neighbours along the curve.
+  std::pair<Point, Point> beside(std::size_t i) const {
+    const Slide& slide = slides_[slide_of_[i]];
+    return {point_[slide.before], point_[slide.after]};
+  }
   struct Place {
     double s;
     Point point;
@@ -70,6 +82,7 @@ class Stars {
   void add_star(const WorkMesh& mesh, NodeId v, const SizeField& size);
   bool add_slide(const WorkMesh& mesh, NodeId v);
   void limit_slides();
+  void find_beyond();
   double place_of(std::uint32_t neighbour, const Slide& slide, bool before) const;
 
   const Domain& domain_;

@@ -24,7 +24,7 @@ void optimize(Stars& stars, const SmoothOptions& options, const Progress& progre
 /// Raises the least sine round nodes where it is below the floor.
 void raise_least_sine(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
-/// Raises the geometric mean of beta.
+/// Raises the geometric mean of beta, and makes edges that follow each other equal.
 void raise_beta(Stars& stars, const SmoothOptions& options, const Progress& progress);
 
 /// Moves nodes where quads fail the caller's criteria, so that they fail them by less, or not at all.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "stages/smooth/beta_energy.hpp"
 #include "stages/smooth/shape_energy.hpp"
@@ -86,6 +87,30 @@ TEST_F(Energies, TheHessianOfBetaIsPositive) {
     EXPECT_GT(q.xx, 0);
     EXPECT_GT(q.xx * q.yy, q.xy * q.xy);
   });
+}
+
+TEST(Star, RowsOfAGridAreEvenUntilANodeMoves) {
+  shapes::Patch patch = shapes::patch({.nx = 6, .ny = 5, .h = 3});
+  const auto missed = [&](NodeId moved) {  // over all stars but the one of the node that moved; of that one
+    const SizeField size = patch.size();
+    const Stars stars(patch.mesh, patch.domain, size);
+    Star star;
+    double others = 0, own = 0;
+    for (std::size_t i = 0; i < stars.count(); ++i) {
+      star.gather(stars, i);
+      for (const Star::Row& row : star.rows())
+        (stars.at(i) == patch.mesh.point(moved) ? own : others) += row.misses2({});
+    }
+    return std::pair(others, own);
+  };
+  const NodeId v = patch.node(3, 2);
+  EXPECT_NEAR(missed(v).first + missed(v).second, 0, 1e-20);
+  const Point at = patch.mesh.point(v), step{0.6, 0};
+  patch.mesh.move(v, at + step);
+  // Two rows through it, and four that begin with an edge of it: those beyond its neighbours are 6 away, or 6.6
+  // and 5.4.
+  EXPECT_NEAR(missed(v).second, 0.36 * (2. / 36 + 0.25 * (1 / 43.56 + 1 / 29.16 + 2 / 36.36)), 1e-12);
+  EXPECT_GT(missed(v).first, 0);
 }
 
 TEST_F(Energies, AStarBelowTheFloorIsNotAllowed) {
