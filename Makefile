@@ -52,6 +52,8 @@ paper: setup
 	@$(MAKE) --no-print-directory build
 	@$(PYTHON) scripts/paper_table.py $(QUADLINE)
 	@$(QUADLINE) mesh examples/plate/plate.json -o docs/images/plate.svg --quiet
+	@for model in models/layout/*.json; do \
+	  $(QUADLINE) mesh $$model -o docs/images/$$(basename $$model .json).svg --quiet; done
 
 hard: setup
 	@$(MAKE) --no-print-directory build

@@ -116,8 +116,10 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
                         "who makes the triangles that are merged; default both: the better in each cell",
                         arguments.options.triangles,
                         {{"delaunay", Triangles::Delaunay}, {"front", Triangles::Front}, {"both", Triangles::Both}});
-  add_choice<Method>(*mesh, "--method", "how the triangles become quads; default qmorph", arguments.options.method,
-                     {{"qmorph", Method::QMorph}, {"merge", Method::Merge}, {"split", Method::Split}});
+  add_choice<Method>(
+      *mesh, "--method", "how cells are meshed; default layout: grids where they suit, Q-Morph elsewhere",
+      arguments.options.method,
+      {{"layout", Method::Layout}, {"qmorph", Method::QMorph}, {"merge", Method::Merge}, {"split", Method::Split}});
   const auto set_threads = [&arguments](double value) {
     if (!(value >= 1 && value <= 1024) || value != std::floor(value)) return false;
     arguments.threads = static_cast<unsigned>(value);

@@ -151,12 +151,26 @@ std::string on_lines(const Mesh& mesh) {
          counted(nodes.size(), "node", "nodes") + '\n';
 }
 
+/// "cells: 1 grid (120 quads), 2 by Q-Morph (300 quads)": what there is.
+std::string by_origin(const CellOrigins& cells) {
+  std::string out;
+  const auto tell = [&](const std::string& what, const CellOrigins::Share& share) {
+    if (share.n_cells == 0) return;
+    out += (out.empty() ? "cells: " : ", ") + what + " (" + counted(share.n_quads, "quad", "quads") + ')';
+  };
+  tell(counted(cells.grids.n_cells, "grid", "grids"), cells.grids);
+  tell(std::to_string(cells.fronts.n_cells) + " by Q-Morph", cells.fronts);
+  tell(std::to_string(cells.halved.n_cells) + " halved", cells.halved);
+  tell(counted(cells.copies.n_cells, "copy", "copies"), cells.copies);
+  return out + '\n';
+}
+
 std::string summary(const Run& run) {
   const Report& report = run.result.report;
   std::string out = run.model.name.empty() ? shown(run.model.file) : shown_name(run.model.name);
   out += ": " + counted(report.quality.n_quads, "quad", "quads") + ", " +
          counted(report.quality.n_nodes, "node", "nodes") + ", " + fixed(run.elapsed_s, 2) + " s\n";
-  out += on_lines(run.result.mesh);
+  out += on_lines(run.result.mesh) + by_origin(report.cells);
   out += before_and_after(report.before_smoothing, report.quality);
   out += corner_line(report.corners, report.quality) + worst_table(report.worst) + line_table(report.lines);
   if (!run.criteria_name.empty()) out += criteria_table(run.criteria_name, run.criteria);

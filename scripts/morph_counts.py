@@ -3,8 +3,8 @@
 
     morph_counts.py [--write] [QUADLINE [OPTION...]]
 
-Meshes the models of models/paper with the options, by default `--triangles delaunay`, the paper's. --write also puts the
-table into the marked part of docs/notes/2026-12-01-q-morph.md.
+Meshes the models of models/paper with the options, by default `--method qmorph --triangles delaunay`, the paper's. --write
+also puts the table into the marked part of docs/notes/2026-12-01-q-morph.md.
 """
 import glob
 import json
@@ -49,7 +49,7 @@ def main(arguments):
     write = arguments[:1] == ["--write"]
     rest = arguments[write:]
     quadline = rest[0] if rest else os.path.join(ROOT, "build", "release", "quadline")
-    options = rest[1:] or ["--triangles", "delaunay"]
+    options = rest[1:] or ["--method", "qmorph", "--triangles", "delaunay"]
     models = sorted(glob.glob(os.path.join(ROOT, "models", "paper", "*.json")))
     columns = [counts_of(quadline, model, options) for model in models]
     names = [os.path.splitext(os.path.basename(model))[0] for model in models]

@@ -4,6 +4,7 @@
     paper_table.py [QUADLINE]
 
 Prints the table, and writes it, with the pictures, to docs/paper-table.md, docs/images/ and the marked part of README.md.
+The figures beside the paper's are those of Q-Morph; those of the default, and pictures of its meshes, come last.
 """
 import json
 import os
@@ -25,29 +26,38 @@ WHAT = {
     "fig19": "bulkhead, 20 lines",
     "fig20": "bulkhead, 80 lines",
 }
-COLUMNS = ("model", "paper: beta before smoothing", "after", "Quadline: beta before", "after", "quads", "least SJ",
-           "mean SJ", "irregular nodes")
+COLUMNS = ("model", "paper: beta before smoothing", "after", "Q-Morph: beta before", "after", "quads", "least SJ", "mean SJ",
+           "irregular nodes", "by default: beta", "quads", "least SJ", "mean SJ", "irregular nodes")
 
 
-def mesh(quadline, name, picture):
+def mesh(quadline, name, method, picture):
     """The report of the run."""
     model = os.path.join(ROOT, "models", "paper", name + ".json")
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
-        done = subprocess.run([quadline, "mesh", model, "-o", picture, "--report", report, "--quiet"])
+        done = subprocess.run([quadline, "mesh", model, "--method", method, "-o", picture, "--report", report, "--quiet"])
         if done.returncode != 0:
             sys.exit("paper_table: %s failed with exit code %d" % (name, done.returncode))
         with open(report, encoding="utf-8") as f:
             return json.load(f)
 
 
-def row(name, report):
-    before, after = report["quality"]["before_smoothing"], report["quality"]["after_smoothing"]
+def reports(quadline, name, picture):
+    """By Q-Morph and by default; the picture is of the latter."""
+    return [mesh(quadline, name, method, picture) for method in ("qmorph", "layout")]
+
+
+def figures(quality):
+    return ["**%.3f**" % quality["beta_mean"], str(quality["quads"]), "%.2f" % quality["scaled_jacobian"]["min"],
+            "%.3f" % quality["scaled_jacobian"]["mean"],
+            "%d (%.1f %%)" % (quality["irregular_nodes"], 100 * quality["irregular_nodes"] / quality["nodes"])]
+
+
+def row(name, runs):
+    qmorph, default = (run["quality"] for run in runs)
     paper = ["%.3f" % beta for beta in PAPER[name]] if PAPER[name] else ["–", "–"]
-    return ["Fig. %s: %s" % (name[3:], WHAT[name]), *paper, "%.3f" % before["beta_mean"],
-            "**%.3f**" % after["beta_mean"], str(after["quads"]), "%.2f" % after["scaled_jacobian"]["min"],
-            "%.3f" % after["scaled_jacobian"]["mean"],
-            "%d (%.1f %%)" % (after["irregular_nodes"], 100 * after["irregular_nodes"] / after["nodes"])]
+    return ["Fig. %s: %s" % (name[3:], WHAT[name]), *paper, "%.3f" % qmorph["before_smoothing"]["beta_mean"],
+            *figures(qmorph["after_smoothing"]), *figures(default["after_smoothing"])]
 
 
 def line(cells):
@@ -69,19 +79,22 @@ def main():
     quadline = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build", "release", "quadline"))
     images = os.path.join(ROOT, "docs", "images")
     os.makedirs(images, exist_ok=True)
-    reports = {name: mesh(quadline, name, os.path.join(images, name + ".svg")) for name in PAPER}
-    table = markdown([row(name, reports[name]) for name in PAPER])
+    runs = {name: reports(quadline, name, os.path.join(images, name + ".svg")) for name in PAPER}
+    table = markdown([row(name, runs[name]) for name in PAPER])
     print(table, end="")
-    print("\nseconds: " + ", ".join("%s %.2f" % (name, report["seconds"]) for name, report in reports.items()))
+    for n, method in enumerate(("Q-Morph", "default")):
+        print("\nseconds, %s: " % method + ", ".join("%s %.2f" % (name, both[n]["seconds"]) for name, both in runs.items()))
 
     made = made_by("make paper", quadline)
     page = """# The paper's Table 3, and ours
 
 """ + made + """
 Beta is the distortion coefficient of [Lee2003], equations (1) and (2), its mean the
-geometric one; SJ is the scaled Jacobian. "Before smoothing" is the mesh as Q-Morph leaves it. The paper does not publish
-the coordinates of its models: these are made after its descriptions, so the figures compare meshers on similar
-models, not on the same. Table 3 has no figures of Fig. 20; those of Fig. 19 are its goal.
+geometric one; SJ is the scaled Jacobian. "Before smoothing" is the mesh as Q-Morph leaves it. The figures beside the
+paper's are those of its method, `--method qmorph`; the last columns and the pictures are of the default, which makes
+[grids](grids.md) where they suit. The paper does not publish the coordinates of its models: these are made after its
+descriptions, so the figures compare meshers on similar models, not on the same. Table 3 has no figures of Fig. 20;
+those of Fig. 19 are its goal.
 
 """ + table + pictures("images")
     with open(os.path.join(ROOT, "docs", "paper-table.md"), "w", encoding="utf-8") as f:

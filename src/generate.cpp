@@ -8,6 +8,7 @@
 #include "cells/attempt.hpp"
 #include "cells/cell_meshes.hpp"
 #include "cells/flatten.hpp"
+#include "cells/node_orbits.hpp"
 #include "cells/quad_limit.hpp"
 #include "domain/arrange/arrange.hpp"
 #include "domain/size/edge_sizes.hpp"
@@ -34,8 +35,9 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
   if (attempt.too_many = limit.refuse_expected(domain); !attempt.too_many.empty()) return attempt;
 
   const SizeField size = clock.run("sizing", context, [&] { return make_size_field(domain, options, context); });
-  const CurveNodes nodes =
-      clock.run("discretize", context, [&] { return CurveNodes(domain, size, plan.halved_cells(), context); });
+  const CurveNodes nodes = clock.run("discretize", context, [&] {
+    return CurveNodes(domain, size, plan.wished_counts(), plan.symmetries(), plan.halved_cells(), context);
+  });
   if (attempt.too_many = limit.refuse_at_least(nodes.least_quads()); !attempt.too_many.empty()) return attempt;
 
   CellMeshes cells(plan, nodes, size, cache, clock, context);  // mesh_cell for each
@@ -46,15 +48,17 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
   do {
     if (const auto troubles = cells.troubles(); !troubles.empty())
       return failed(troubles, {"internal", troubles[0].reason, troubles[0].at}, std::move(attempt));
+    result.report.cells = cells.origins();
     mesh = clock.run("join", context, [&] { return cells.take_joined(); });
     if (context.on_snapshot) context.on_snapshot("clean-up", flatten(mesh, domain));
     clock.run("smooth", context, [&] { smooth(mesh, domain, size, {.criteria = options.criteria}, context); });
     mesh.thaw();
+    NodeOrbits(mesh, domain, plan.symmetries()).even_out(mesh);
   } while (cells.mesh_spoiled_again(mesh));
 
   result.mesh = flatten(mesh, domain);
   if (attempt.too_many = limit.refuse_made(result.mesh.quads.size()); !attempt.too_many.empty()) return attempt;
-  result.failure = clock.run("verify", context, [&] { return verify(result.mesh, domain, context); });
+  result.failure = clock.run("verify", context, [&] { return verify(result.mesh, plan.model(), context); });
   if (context.on_snapshot) context.on_snapshot("smoothed", result.mesh);
   if (result.failure) {
     attempt.troubles = unsound_cells(mesh);
@@ -78,10 +82,11 @@ Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache
   }
 }
 
-MeshResult generate(const Model& model, const Options& options, Context& context) {
-  check(options);
-  StageClock clock;
-  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
+namespace {
+
+// The chain of attempts. Its result holds all but the findings of the model, and measures.
+MeshResult mesh_by(FallbackPlan& plan, const Model& model, const Options& options, StageClock& clock,
+                   Context& context) {
   CellCache cache(plan.domain().cells.count());
   Attempt last = attempt_mesh(plan, options, cache, clock, context);
   if (!last.too_many.empty()) throw InputError(ErrorCode::TooManyQuads, last.too_many, Where{model.file, {}, {}});
@@ -101,10 +106,25 @@ MeshResult generate(const Model& model, const Options& options, Context& context
       last.result.report.findings.push_back(
           {"what may help needs more quads than allowed", {}, last.result.failure->at});
   }
-  describe_domain(plan.domain(), last.result.report);
-  clock.run("measure", context, [&] { measure_result(last.result); });
-  last.result.report.stages = std::move(clock.times());
   return std::move(last.result);
+}
+
+}  // namespace
+
+MeshResult generate(const Model& model, const Options& options, Context& context) {
+  check(options);
+  StageClock clock;
+  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
+  MeshResult result = mesh_by(plan, model, options, clock, context);
+  if (result.failure && plan.is_cut()) {  // what cannot be meshed in halves may be as a whole
+    FallbackPlan uncut(plan.model(), options, false);
+    MeshResult other = mesh_by(uncut, model, options, clock, context);
+    if (!other.failure) result = std::move(other);
+  }
+  describe_domain(plan.model(), result.report);
+  clock.run("measure", context, [&] { measure_result(result); });
+  result.report.stages = std::move(clock.times());
+  return result;
 }
 
 }  // namespace quadline

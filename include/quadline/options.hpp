@@ -43,6 +43,7 @@ enum class Triangles {
 
 /// How the triangles become quads.
 enum class Method {
+  Layout,  ///< grids with rings round holes where a cell takes them, Q-Morph elsewhere
   QMorph,  ///< an advancing front [Owen1999, Lee2003]
   Merge,   ///< pairs at twice the size, the best first; then all elements are halved [Lo1989, Rank1993]
   Split,   ///< triangles at twice the size, each halved into three quads
@@ -67,7 +68,7 @@ struct Options {
   double growth = 1.3;  ///< largest ratio of the sizes of neighbouring edges, in kGrowthRange
   LineFronts lines = LineFronts::TwoSided;
   Triangles triangles = Triangles::Both;
-  Method method = Method::QMorph;
+  Method method = Method::Layout;
   /// Limits that smoothing works towards, where it can without harm, each in the range of its `criteria_fields()`.
   /// Default: none.
   std::optional<Criteria> criteria{};

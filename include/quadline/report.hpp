@@ -57,12 +57,25 @@ struct MorphCounts {
   friend bool operator==(const MorphCounts&, const MorphCounts&) = default;
 };
 
+/// Where the quads of the cells came from.
+struct CellOrigins {
+  struct Share {
+    std::size_t n_cells = 0, n_quads = 0;
+    friend bool operator==(const Share&, const Share&) = default;
+  };
+  Share grids;   ///< cells that became grids, with rings round their holes
+  Share fronts;  ///< cells that Q-Morph meshed
+  Share halved;  ///< cells whose triangles, or pairs of them, were halved
+  Share copies;  ///< cells that have the mesh of another one, moved
+};
+
 /// What a run did.
 struct Report {
   double tolerance = 0;                                   ///< distance below which points are one, model units
   std::size_t n_cells = 0, n_curves = 0, n_vertices = 0;  ///< of the arrangement that the model makes
   std::vector<Finding> findings;                          ///< of the model, then of the fall-backs
   std::vector<StageTime> stages;                          ///< in their order
+  CellOrigins cells;                                      ///< of the last attempt
   MorphCounts qmorph;               ///< of all cells, each with the triangles whose quads the mesh has
   Quality before_smoothing;         ///< as Q-Morph leaves the mesh
   Quality quality;                  ///< of the final mesh

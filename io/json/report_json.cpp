@@ -18,7 +18,17 @@ Json json_of(const Statistics& s) {
 }
 
 const char* name_of(Method method) {
-  return method == Method::Merge ? "merge" : method == Method::Split ? "split" : "qmorph";
+  switch (method) {
+    case Method::Layout:
+      return "layout";
+    case Method::QMorph:
+      return "qmorph";
+    case Method::Merge:
+      return "merge";
+    case Method::Split:
+      return "split";
+  }
+  return "";
 }
 
 const char* name_of(Triangles triangles) {
@@ -43,6 +53,15 @@ Json stages_of(const Run& run) {
   for (const StageUse& use : run.stages)
     out.push_back({{"stage", use.stage}, {"seconds", use.elapsed_s}, {"peak_memory_bytes", use.peak_bytes}});
   return out;
+}
+
+Json json_of(const CellOrigins::Share& share) { return {{"cells", share.n_cells}, {"quads", share.n_quads}}; }
+
+Json json_of(const CellOrigins& cells) {
+  return {{"grids", json_of(cells.grids)},
+          {"qmorph", json_of(cells.fronts)},
+          {"halved", json_of(cells.halved)},
+          {"copies", json_of(cells.copies)}};
 }
 
 Json json_of(const MorphCounts& counts) {
@@ -206,6 +225,7 @@ std::string report_json(const Run& run) {
               {"corners", json_of(report.corners, report.quality)},
               {"worst", json_of(report.worst)},
               {"lines", json_of(report.lines)},
+              {"cells", json_of(report.cells)},
               {"qmorph", json_of(report.qmorph)},
               {"stages", stages_of(run)},
               {"seconds", run.elapsed_s},

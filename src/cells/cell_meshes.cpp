@@ -56,9 +56,21 @@ CellMeshes::CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const 
       recipes_(recipes_of(plan)),
       sizes_(spaced_sizes(recipes_, size)),
       results_(plan.domain().cells.count()) {
-  CellSet all;
-  for (std::size_t i = 0; i < results_.count(); ++i) all.insert(CellId(i));
-  mesh(all);
+  const std::vector<CellCopy> copies = clock.run("copies", context, [&] {
+    return find_copies(plan.domain(), plan.symmetries(), nodes, size,
+                       [&](CellId a, CellId b) { return plan.is_alike(a, b); });
+  });
+  IdVector<CellId, bool> is_copy(results_.count(), false);
+  for (const CellCopy& copy : copies) is_copy[copy.copy] = true;
+  CellSet planned, others;
+  for (std::size_t i = 0; i < results_.count(); ++i)
+    if (const CellId c(i); !is_copy[c]) (recipes_[c].is_grid_planned() ? planned : others).insert(c);
+  mesh(planned);
+  if (!troubles().empty()) return;  // there will be another attempt: the others would be meshed in vain
+  mesh(others);
+  clock.run("copies", context, [&] {
+    for (const CellCopy& next : copies) copy(next);
+  });
   for (std::size_t i = 0; i < results_.count(); ++i)
     if (const CellId c(i); plan_.rung(c).is_halved) n_raw_unsound_ += unsound_faces(results_[c].raw).size();
   if (context_.on_snapshot) tell_snapshots();
@@ -85,6 +97,19 @@ void CellMeshes::mesh(const CellSet& cells) {
         times.insert(times.end(), results_[CellId(i)].times.begin(), results_[CellId(i)].times.end());
     return times;
   });
+}
+
+void CellMeshes::copy(const CellCopy& copy) {
+  const CellResult& from = results_[copy.original];
+  CellResult& to = results_[copy.copy];
+  to.mesh = copied(from.mesh, copy, nodes_);
+  to.raw = copied(from.raw, copy, nodes_);
+  to.counts = from.counts;
+  to.is_grid = from.is_grid;
+  to.is_copy = true;
+  for (const CellSnapshot& snapshot : from.snapshots)
+    to.snapshots.push_back({snapshot.name, copied(snapshot.mesh, copy, nodes_)});
+  if (from.trouble) to.trouble = {copy.copy, from.trouble->reason, copy.move(from.trouble->at)};
 }
 
 void CellMeshes::keep_in_cache(CellId c) {
@@ -121,6 +146,21 @@ std::vector<Trouble> CellMeshes::troubles() const {
   return found;
 }
 
+CellOrigins CellMeshes::origins() const {
+  CellOrigins origins;
+  for (std::size_t i = 0; i < results_.count(); ++i) {
+    const CellResult& result = results_[CellId(i)];
+    const bool is_front = recipes_[CellId(i)].method == Method::QMorph;
+    CellOrigins::Share& share = result.is_copy   ? origins.copies
+                                : result.is_grid ? origins.grids
+                                : is_front       ? origins.fronts
+                                                 : origins.halved;
+    ++share.n_cells;
+    share.n_quads += result.mesh.topo().face_count();
+  }
+  return origins;
+}
+
 MorphCounts CellMeshes::morph_counts() const {
   MorphCounts sum;
   for (const CellResult& result : results_) sum += result.counts;
@@ -133,7 +173,23 @@ WorkMesh CellMeshes::take_raw() {
   return mesh;
 }
 
+// A grid among grids is smooth as it is, and alike where its cell is. Beside others its nodes on curves must give way.
+void CellMeshes::freeze_grids() {
+  if (plan_.has_criteria()) return;
+  IdVector<CellId, bool> is_among_grids;
+  for (const CellResult& result : results_) is_among_grids.push_back(result.is_grid);
+  for (const Domain::Curve& curve : plan_.domain().curves)
+    for (const auto& [cell, other] : {std::pair(curve.left, curve.right), std::pair(curve.right, curve.left)})
+      if (cell.valid() && other.valid() && !results_[other].is_grid) is_among_grids[cell] = false;
+  for (std::size_t i = 0; i < results_.count(); ++i) {
+    WorkMesh& mesh = results_[CellId(i)].mesh;
+    if (!is_among_grids[CellId(i)]) continue;
+    for (const FaceId f : mesh.topo().faces()) mesh.freeze(f);
+  }
+}
+
 WorkMesh CellMeshes::take_joined() {
+  freeze_grids();
   WorkMesh mesh = joined_of(results_, [](const CellResult& result) { return &result.mesh; });
   if (!plan_.any_halved()) results_.clear();
   return mesh;

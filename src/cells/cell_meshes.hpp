@@ -4,6 +4,7 @@
 
 #include "base/stage_clock.hpp"
 #include "cells/cell_cache.hpp"
+#include "cells/cell_copies.hpp"
 #include "cells/curve_nodes.hpp"
 #include "cells/fallback_plan.hpp"
 #include "cells/mesh_cell.hpp"
@@ -18,8 +19,8 @@ namespace quadline {
 /// The meshes of all cells of a domain, each made by `mesh_cell`.
 class CellMeshes {
  public:
-  /// Meshes every cell as the plan says, several at once where the context can; tells the context's `on_snapshot` the
-  /// stages. What is passed must outlive this.
+  /// Meshes every cell as the plan says, several at once where the context can, but only one of those that are alike:
+  /// the others get copies. Tells the context's `on_snapshot` the stages. What is passed must outlive this.
   /// @param cache  of earlier attempts; gets the cells of this one, unless it is the first.
   /// @throws Cancelled when `context` asks for it.
   CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const SizeField& size, CellCache& cache,
@@ -27,6 +28,8 @@ class CellMeshes {
 
   /// Cells without a mesh, in their order.
   std::vector<Trouble> troubles() const;
+  /// Who made the quads. Not after `take_joined`, which takes them.
+  CellOrigins origins() const;
   /// What Q-Morph did in the cells that it meshed.
   MorphCounts morph_counts() const;
   /// All cells as Q-Morph or halving left them, before clean-up. Once: their memory goes.
@@ -43,6 +46,8 @@ class CellMeshes {
 
  private:
   void mesh(const CellSet& cells);
+  void copy(const CellCopy& copy);
+  void freeze_grids();
   void keep_in_cache(CellId c);
   void tell_snapshots() const;
 

@@ -4,20 +4,40 @@
 #include <cstddef>
 #include <vector>
 
+#include "cells/symmetric_nodes.hpp"
 #include "stages/discretize/discretize.hpp"
 #include "stages/halve/halve.hpp"
 
 namespace quadline {
 
-CurveNodes::CurveNodes(const Domain& domain, const SizeField& size, const CellSet& halved, Context& context)
+namespace {
+
+// Where all cells are halved the counts are those before, and even.
+IdVector<CurveId, bool> counted_twice(const Domain& domain, const CellSet& halved) {
+  IdVector<CurveId, bool> is_twice(domain.curves.count(), false);
+  const std::vector<CurveId> curves = curves_round(domain, halved);
+  if (curves.size() < is_twice.count())
+    for (const CurveId c : curves) is_twice[c] = true;
+  return is_twice;
+}
+
+}  // namespace
+
+CurveNodes::CurveNodes(const Domain& domain, const SizeField& size, const IdVector<CurveId, std::uint32_t>& wished,
+                       const std::vector<Symmetry>& symmetries, const CellSet& halved, Context& context)
     : domain_(domain), halved_(halved) {
-  all_.nodes = discretize(domain, size, halved, context);
+  all_.nodes = symmetric_nodes(discretize(domain, size, wished, halved, context), domain, symmetries,
+                               counted_twice(domain, halved));
   if (!halved.empty()) {
     before_halving_.nodes = all_.nodes;
     sort_by_cells(before_halving_);
     halve_segments(all_.nodes, domain, curves_round(domain, halved));
   }
   sort_by_cells(all_);
+  on_curve_.fill(domain.curves.count(), [&](const auto& visit) {
+    for (const Segment& s : all_.nodes.segments())
+      if (all_.nodes.tag(s.a).curve.valid()) visit(s.curve.value, s.a);
+  });
 }
 
 void CurveNodes::sort_by_cells(Layout& layout) const {

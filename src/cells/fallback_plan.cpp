@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "cells/rehearse_grid.hpp"
 #include "cells/thin_quads.hpp"
+#include "domain/symmetry/cut_at_axes.hpp"
 
 namespace quadline {
 
@@ -29,10 +31,27 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
   return places;
 }
 
+// Cells that are to become grids come out symmetric as they are. In the model too their circles are turned.
+Domain cut(Domain& model, const Options& options, bool may_cut) {
+  CellSet grids;
+  if (options.method == Method::Layout) {
+    const GridPlans plans = plan_grids(model, options, rehearsed_cost);
+    for (std::size_t i = 0; i < plans.cells.count(); ++i)
+      if (plans.cells[CellId(i)]) grids.insert(CellId(i));
+  }
+  return may_cut && !options.size_at ? cut_at_axes(model, grids) : model;
+}
+
 }  // namespace
 
-FallbackPlan::FallbackPlan(Domain domain, const Options& options)
-    : domain_(std::move(domain)), options_(options), rung_(domain_.cells.count(), 0), why_(rung_.count()) {
+FallbackPlan::FallbackPlan(Domain model, const Options& options, bool may_cut)
+    : model_(std::move(model)),
+      domain_(cut(model_, options, may_cut)),
+      options_(options),
+      rung_(domain_.cells.count(), 0),
+      why_(rung_.count()) {
+  if (options.method == Method::Layout) grids_ = plan_grids(domain_, options, rehearsed_cost);
+  if (!options.size_at) symmetries_ = find_symmetries(domain_);
   for (const Domain::Cell& cell : domain_.cells) asked_.cells.push_back(cell.size);
   for (const Domain::Curve& curve : domain_.curves) asked_.curves.push_back(curve.size);
   for (const Domain::PointUse& point : domain_.points) asked_.points.push_back(point.size);
@@ -41,11 +60,13 @@ FallbackPlan::FallbackPlan(Domain domain, const Options& options)
 Recipe FallbackPlan::recipe(CellId c) const {
   const bool is_front = options_.triangles != Triangles::Delaunay;
   Recipe recipe;
-  recipe.method = options_.method;
+  recipe.method = options_.method == Method::Layout ? Method::QMorph : options_.method;
+  recipe.may_grid = options_.method == Method::Layout && !is_changed(c);
+  if (recipe.may_grid && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
   recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
   recipe.lines = options_.lines;
   recipe.keeps_thin_quads = rung(c).is_halved;
-  if (rung(c).is_halved && options_.method == Method::QMorph) recipe.method = Method::Merge;
+  if (rung(c).is_halved && recipe.method == Method::QMorph) recipe.method = Method::Merge;
   recipe.may_retry = recipe.method == Method::QMorph && options_.triangles == Triangles::Both && !is_changed(c);
   return recipe;
 }
@@ -58,10 +79,23 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   bool advanced = false;
   for (std::size_t i = 0; i < troubles.size(); ++i) {
     const CellId c = troubles[i].cell;
+    if (troubles[i].is_grid) {
+      grids_.drop(c, domain_);
+      for (const Symmetry& symmetry : symmetries_) grids_.drop(symmetry.cells[c], domain_);
+      advanced = true;
+      continue;
+    }
     if (next[i] == std::size(kRungs)) continue;
     rung_[c] = next[i];
+    grids_.drop(c, domain_);
     if (why_[c].empty()) why_[c] = troubles[i].reason;
     advanced = true;
+    for (const Symmetry& symmetry : symmetries_) {
+      const CellId image = symmetry.cells[c];
+      rung_[image] = std::max(rung_[image], next[i]);
+      grids_.drop(image, domain_);
+      if (why_[image].empty()) why_[image] = troubles[i].reason;
+    }
   }
   if (advanced) set_sizes();
   return advanced;

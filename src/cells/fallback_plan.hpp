@@ -7,9 +7,11 @@
 #include "cells/trouble.hpp"
 #include "domain/cell_set.hpp"
 #include "domain/domain.hpp"
+#include "domain/symmetry/symmetries.hpp"
 #include "mesh/work_mesh.hpp"
 #include "quadline/options.hpp"
 #include "quadline/report.hpp"
+#include "stages/grid/plan_grids.hpp"
 
 namespace quadline {
 
@@ -33,11 +35,13 @@ static_assert(kRungs[kFirstHalving].is_halved && !kRungs[kFirstHalving - 1].is_h
 /// Which cells are meshed otherwise than asked, and why.
 class FallbackPlan {
  public:
+  /// @param model    the domain of the model.
   /// @param options  as the user gave them; must outlive this.
-  FallbackPlan(Domain domain, const Options& options);
+  /// @param may_cut  cells that are symmetric are cut at their axes, unless a function of place gives sizes.
+  FallbackPlan(Domain model, const Options& options, bool may_cut = true);
 
-  /// Takes the cells in trouble a rung further; straight to halving where a quad is thin, and beside cells that are
-  /// halved, as what troubles one mostly troubles the other.
+  /// Takes the cells in trouble, and their images, a rung further; straight to halving where a quad is thin, and beside
+  /// cells that are halved, as what troubles one mostly troubles the other.
   /// @return  false: nothing is left to be tried.
   bool advance(const std::vector<Trouble>& troubles);
 
@@ -49,7 +53,18 @@ class FallbackPlan {
   CellSet halved_cells() const;
   /// How the cell is meshed now.
   Recipe recipe(CellId c) const;
-  /// The domain with the sizes of the plan.
+  /// Smoothing works towards limits that the user gave: in grids too, which else stay as they are among grids.
+  bool has_criteria() const { return options_.criteria.has_value(); }
+  /// Edges that curves want for the grids beside them; 0, or nothing at all: no wish.
+  const IdVector<CurveId, std::uint32_t>& wished_counts() const { return grids_.counts; }
+  /// Two cells are meshed the same way, and the domain tells all of their sizes.
+  bool is_alike(CellId a, CellId b) const { return !options_.size_at && rung_[a] == rung_[b]; }
+  /// Of the domain; none where a function of place gives sizes.
+  const std::vector<Symmetry>& symmetries() const { return symmetries_; }
+  /// The domain as it came.
+  const Domain& model() const { return model_; }
+  bool is_cut() const { return domain_.curves.count() > model_.curves.count(); }
+  /// The domain with the cuts and the sizes of the plan.
   const Domain& domain() const { return domain_; }
   /// A finding for each cell that was not meshed as asked, at a place inside it.
   std::vector<Finding> findings(const WorkMesh& mesh) const;
@@ -64,8 +79,10 @@ class FallbackPlan {
   bool is_beside_halved(CellId c) const;
   std::string name_of(CellId c) const;
 
-  Domain domain_;
+  Domain model_, domain_;
   const Options& options_;
+  GridPlans grids_;  ///< before `asked_`: it turns circles
+  std::vector<Symmetry> symmetries_;
   Sizes asked_;  ///< of the domain as it came
   IdVector<CellId, std::size_t> rung_;
   IdVector<CellId, std::string> why_;  ///< the first reason

@@ -6,12 +6,15 @@
 #include <cstddef>
 
 #include "base/stage_clock.hpp"
+#include "cells/accept_grid.hpp"
 #include "cells/cell_cost.hpp"
 #include "cells/thin_quads.hpp"
 #include "stages/field_points/field_points.hpp"
+#include "stages/grid/fill_grid.hpp"
 #include "stages/halve/halve.hpp"
 #include "stages/pair/pair.hpp"
 #include "stages/qmorph/qmorph.hpp"
+#include "stages/smooth/smooth.hpp"
 #include "stages/triangulate/triangulate.hpp"
 
 namespace quadline {
@@ -45,6 +48,12 @@ class CellMesher {
       : input_(input), recipe_(recipe), context_(context) {}
 
   CellResult run() {
+    if (recipe_.may_grid && grid()) return std::move(result_);
+    if (recipe_.is_grid_planned()) {
+      note(InternalError("the grid that was planned does not come out"));
+      result_.trouble->is_grid = true;
+      return std::move(result_);
+    }
     try {
       first_try();
     } catch (const InternalError& error) {
@@ -57,6 +66,23 @@ class CellMesher {
   }
 
  private:
+  bool grid() {
+    WorkMesh mesh = input_.nodes.of(input_.cell);
+    bool is_good = false;
+    run(clock_, "grid", part_of(context_, 0, kTriangulated), 0, 1, [&](Context& own) {
+      if (!fill_grid(mesh, input_.domain, input_.cell, recipe_.grid)) return;
+      smooth(mesh, input_.domain, input_.sizes.at(1), {.slides = false, .raises_beta = false}, own);
+      is_good = is_good_grid(mesh, input_.domain, input_.sizes.at(1));
+    });
+    result_.times = clock_.times();
+    if (!is_good) return false;
+    result_.is_grid = true;
+    result_.raw = mesh;
+    result_.start = fingerprint(mesh);
+    result_.mesh = std::move(mesh);
+    return true;
+  }
+
   void first_try() {
     const Context part = part_of(context_, 0, kCleaned);
     const Fill fill{recipe_.triangles, recipe_.method == Method::QMorph ? 1 : kHalvedSpacing};

@@ -17,6 +17,7 @@
 #include "quadline/options.hpp"
 #include "quadline/report.hpp"
 #include "stages/cleanup/cleanup.hpp"
+#include "stages/grid/fill_grid.hpp"
 
 namespace quadline {
 
@@ -36,10 +37,14 @@ struct Recipe {
   Method method = Method::QMorph;
   Triangles triangles = Triangles::Front;   ///< of the first try
   LineFronts lines = LineFronts::TwoSided;  ///< QMorph: where fronts on lines start
+  bool may_grid = false;                    ///< QMorph: not where a grid fills the cell well
+  GridPlan grid{};                          ///< where may_grid
   bool may_retry = false;                   ///< QMorph: with other triangles, where they may make a better mesh
   bool keeps_thin_quads = false;            ///< clean-up and smoothing leave very thin quads as they are
   std::vector<Point> kept_places{};         ///< what lies near them stays as it is as well,
   double kept_reach = 0;                    ///< up to so many sizes from them
+
+  bool is_grid_planned() const { return may_grid && (!grid.holes.empty() || grid.frame.is_polar); }
 };
 
 /// Multiples of the sizes at which recipes space the points inside cells: of halved cells, and of retries.
@@ -59,6 +64,8 @@ struct CellResult {
   WorkMesh raw;                         ///< of the first try, as Q-Morph or halving left them; empty where it failed
   MorphCounts counts;                   ///< of Q-Morph, in the try whose quads became `mesh`
   std::uint64_t start = 0;              ///< fingerprint of `raw`
+  bool is_grid = false;                 ///< `mesh` is a grid, smoothed
+  bool is_copy = false;                 ///< of another cell's result
   bool is_cached = false;               ///< `mesh` was taken from the cache
   std::vector<StageTime> times;         ///< of its stages, in their order
   std::vector<CellSnapshot> snapshots;  ///< of the first try, where they are wanted

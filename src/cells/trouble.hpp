@@ -15,6 +15,7 @@ struct Trouble {
   std::string reason;  ///< one line
   Point at;
   bool is_thin = false;  ///< a quad there is so thin that the drawing must be: only halving helps
+  bool is_grid = false;  ///< its planned grid does not come out: without it, it may
 };
 
 /// The cells where a quad is not sound or a triangle is left, each with the first such place; in the order of the

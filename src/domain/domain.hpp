@@ -24,10 +24,12 @@ struct Domain {
     Point at;
   };
   struct Curve {
-    VertexId tail{}, head{};  ///< differ always
-    CurvePiece piece{};       ///< from tail to head
-    CellId left{}, right{};   ///< invalid: outside the domain
-    double size = 0;          ///< target edge length from lines along it, model units; infinity: none
+    VertexId tail{}, head{};    ///< differ always
+    CurvePiece piece{};         ///< from tail to head
+    CellId left{}, right{};     ///< invalid: outside the domain
+    double size = 0;            ///< target edge length from lines along it, model units; infinity: none
+    bool has_rings = false;     ///< of a hole in a grid: it asks for no lesser sizes round it
+    bool is_auxiliary = false;  ///< not of the model: cuts a cell along an axis of symmetry, see `cut_at_axes`
     bool is_boundary() const { return left.valid() != right.valid(); }
   };
   /// A connected piece of the domain, bounded by closed walks of curves with the cell on their left. A line that ends

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.hpp"
 #include "base/elementary.hpp"
 
 namespace quadline {
 
 namespace {
 
-constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kQuadsOfSplit = 1.15;  // measured; see docs/methods.md
 
 double area_of(const Domain& domain, const Domain::Cell& cell) {

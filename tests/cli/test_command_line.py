@@ -114,7 +114,7 @@ class Usage(CommandLine):
                 ("--growth", "1", "a number above 1 and up to 1e+06"), ("--edges-per-circle", "3", "a number from 4 to 10000"),
                 ("--threads", "0", "a whole number from 1 to 1024"), ("--threads", "1.5", "a whole number from 1 to 1024"),
                 ("--lines", "both", "'one-sided' or 'two-sided'"), ("--triangles", "x", "'delaunay', 'front' or 'both'"),
-                ("--method", "paving", "'qmorph', 'merge' or 'split'"), ("--tolerance", "0", "a length above 0"),
+                ("--method", "paving", "'layout', 'qmorph', 'merge' or 'split'"), ("--tolerance", "0", "a length above 0"),
                 ("--max-quads", "0.5", "a number from 1 to 1e+09")]:
             with self.subTest(option=option, text=text):
                 self.assert_fails(2, "%s: expected %s, found '%s'" % (option, expected, text), *base, option, text)
@@ -172,6 +172,7 @@ class Mesh(CommandLine):
         self.assertEqual(done.stderr, "")
         self.assertRegex(done.stdout, r"\Aplate: \d+ quads, \d+ nodes, \d+\.\d\d s\n")
         self.assertRegex(done.stdout, r"\non 1 line: (\d+) edges, (\d+) nodes\n")
+        self.assertRegex(done.stdout, r"\ncells: 1 by Q-Morph \(\d+ quads\)\n")
         for word in ("beta, mean", "scaled Jacobian, least", "least angle", "edge length / size, median", "irregular nodes"):
             self.assertIn(word, done.stdout)
         for name in names:
@@ -201,7 +202,7 @@ class Mesh(CommandLine):
         self.assertGreater(count("--size", "0.5"), 2 * count())
 
     def test_methods(self):
-        for method, stage in [("qmorph", "qmorph"), ("merge", "pair"), ("split", "halve")]:
+        for method, stage in [("layout", "grid"), ("qmorph", "qmorph"), ("merge", "pair"), ("split", "halve")]:
             with self.subTest(method=method):
                 out = self.path(method + ".json")
                 done = self.run_it("mesh", self.plate, "-o", out, "--method", method, "--json")
@@ -240,6 +241,8 @@ class Mesh(CommandLine):
         checked = json.loads(self.run_it("check", self.path("a.vtu"), "--model", self.plate, "--json").stdout)
         self.assertEqual(checked["quality"], report["quality"]["after_smoothing"])  # by the same sizes
         self.assertNotIn("edge_to_size", json.loads(self.run_it("check", self.path("a.vtu"), "--json").stdout)["quality"])
+        self.assertEqual(sum(share["quads"] for share in report["cells"].values()), report["counts"]["quads"])
+        self.assertEqual(sum(share["cells"] for share in report["cells"].values()), report["counts"]["cells"])
         counts = report["qmorph"]  # every quad of the normal step has two side edges and a top edge
         self.assertGreater(counts["steps"], 0)
         self.assertEqual(counts["steps"], sum(counts["states"].values()))

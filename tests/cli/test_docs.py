@@ -49,8 +49,8 @@ class Docs(CommandLine):
 
     def test_the_papers_table_is_of_this_program(self):
         for name in paper_table.PAPER:
-            report = paper_table.mesh(QUADLINE, name, self.path(name + ".svg"))
-            row = paper_table.line(paper_table.row(name, report))
+            runs = paper_table.reports(QUADLINE, name, self.path(name + ".svg"))
+            row = paper_table.line(paper_table.row(name, runs))
             for path in (("README.md",), ("docs", "paper-table.md")):
                 self.assertIn(row, page(*path), "run 'make paper'")
 

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Domain domain = arrange(model, {}, context);
     const SizeField sizes = make_size_field(domain, {}, context);
-    WorkMesh mesh = discretize(domain, sizes, {}, context);
+    WorkMesh mesh = discretize(domain, sizes, {}, {}, context);
     triangulate(mesh, domain, context);
   } catch (const InputError&) {
   }

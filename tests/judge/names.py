@@ -22,7 +22,7 @@ def edges_of_curves(judge):
         if chain.closed:
             middle = middle % chain.length
         for k, _, offset in chain.steps:
-            on = (middle > offset) & (middle < offset + arr.edges[k].piece.length)
+            on = (middle >= offset) & (middle < offset + arr.edges[k].piece.length)
             along[k] = {tuple(sorted(pair)) for pair in zip(match.a[here][on].tolist(), match.b[here][on].tolist())}
     model, curves = judge.model, {}
     named = [("outer", i, "outer-%d" % (i + 1)) for i in range(len(model.outers))]

@@ -99,6 +99,7 @@ class GapFinder {
       const Point p = point_at(piece, s), normal = left_normal(tangent_at(piece, s));
       const Hit hit = first_hit(p, is_left ? normal : -1.0 * normal, reach, id);
       if (!hit.curve.valid() || share_vertex(domain_.curves[id], domain_.curves[hit.curve])) continue;
+      if (domain_.curves[id].has_rings || domain_.curves[hit.curve].has_rings) continue;
       const CurvePiece& other = domain_.curves[hit.curve].piece;
       const double at = project(other, p + hit.distance * (is_left ? normal : -1.0 * normal));
       if (walks_.is_wedge(id, is_left, s, hit.curve, is_left_of(other, at, p), at, base)) continue;
@@ -153,7 +154,8 @@ class GapFinder {
     for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
       reach = std::max(reach, base_size(domain_, domain_.curves[star_[k].curve]));
     const Hit hit = nearest(v, reach / kGapStretch);
-    if (!hit.curve.valid()) return;
+    if (!hit.curve.valid() || domain_.curves[hit.curve].has_rings) return;
+    if (domain_.curves[star_[star_start_[v.value]].curve].has_rings) return;
     const Point p = domain_.vertices[v].at;
     const CurvePiece& other = domain_.curves[hit.curve].piece;
     const double at = project(other, p);

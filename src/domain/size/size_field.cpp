@@ -36,6 +36,13 @@ double asked_at(Point p, const Domain& domain, const Options& options) {
 
 }  // namespace
 
+SizeField SizeField::constant(double size) {
+  SizeField field;
+  field.nodes_ = {kLeaf};
+  field.corners_ = {{size, size, size, size}};
+  return field;
+}
+
 SizeField SizeField::scaled(double factor) const {
   SizeField field = *this;
   for (std::array<double, 4>& corners : field.corners_)

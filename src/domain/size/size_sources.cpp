@@ -74,12 +74,13 @@ CurveSizes curve_sizes(const Domain& domain, const Options& options) {
     double size = std::min(base, curve.size), least = 1;
     if (piece.is_arc()) {
       const double edges = circle_edges(piece.radius, base, options.edges_per_circle);
-      size = std::min(size, curvature_size(piece.radius, edges));
+      if (!curve.has_rings) size = std::min(size, curvature_size(piece.radius, edges));
       least = std::max(1.0, std::ceil(edges * std::abs(piece.sweep) / (2 * std::numbers::pi) - kCountSlack));
     }
     // A chain of short curves is a small feature and gets its size; a lone short one is a nick.
     const double beside = std::max(ends.beyond(curve.tail, own), ends.beyond(curve.head, own));
-    size = std::min(size, kShortStretch * std::max(own, std::min(beside, kLeastShortShare * base)));
+    if (!curve.has_rings)
+      size = std::min(size, kShortStretch * std::max(own, std::min(beside, kLeastShortShare * base)));
     const bool is_asked = curve.size < base || size < kWorthwhile * base;
     curves.sizes.push_back(is_asked ? size : base);
     curves.least_edges.push_back(static_cast<std::uint32_t>(least));

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "stages/discretize/walk_turns.hpp"
+#include "domain/walk_turns.hpp"
 
 namespace quadline {
 namespace {
@@ -72,7 +72,8 @@ void crowd_polygons(const Domain& domain, IdVector<CurveId, CountTarget>& target
     for (const DirectedCurve& d : walk)  // a curve between two cells gets the mean of what they want
       factors[d.curve] *= domain.curves[d.curve].is_boundary() ? factor : std::sqrt(factor);
   }
-  for (std::size_t i = 0; i < targets.count(); ++i) targets[CurveId(i)].length *= factors[CurveId(i)];
+  for (std::size_t i = 0; i < targets.count(); ++i)
+    if (CountTarget& target = targets[CurveId(i)]; !target.is_wished) target.length *= factors[CurveId(i)];
 }
 
 }  // namespace quadline

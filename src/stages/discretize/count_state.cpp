@@ -7,9 +7,13 @@
 
 namespace quadline {
 
+namespace {
+constexpr double kWishWeight = 400;  // as much for one edge of forty as else for one of two
+}
+
 double count_cost(const CountTarget& target, std::uint32_t count) {
   const double n = count, off = n - target.length;
-  return off * off / (n * target.length);
+  return (target.is_wished ? kWishWeight : 1) * (off * off) / (n * target.length);
 }
 
 std::uint32_t best_count(const CountTarget& target, std::uint32_t parity) {

@@ -22,8 +22,9 @@ constexpr double kArcSlope = 0.1;
 
 class Discretizer {
  public:
-  Discretizer(const Domain& domain, const SizeField& size, const CellSet& halved)
-      : domain_(domain), size_(size), chains_(arc_chains(domain)) {
+  Discretizer(const Domain& domain, const SizeField& size, const IdVector<CurveId, std::uint32_t>& wished,
+              const CellSet& halved)
+      : domain_(domain), size_(size), wished_(wished), chains_(arc_chains(domain)) {
     uses_.assign(domain.curves.count(), EdgeUse::Whole);
     for (const CurveId c : curves_round(domain, halved)) uses_[c] = EdgeUse::Halved;
     for (std::size_t i = 0; i < domain.cells.count(); ++i) all_halved_ &= halved.contains(CellId(i));
@@ -82,6 +83,8 @@ class Discretizer {
   CountTarget target(CurveId c, double length) const {
     const std::uint32_t least = size_.least_edges(c);
     if (all_halved_) return {length / 2, (least + 1) / 2, false, twins_[c]};
+    if (!wished_.empty() && wished_[c] > 0 && uses_[c] == EdgeUse::Whole)
+      return {static_cast<double>(wished_[c]), std::max(least, wished_[c]), false, twins_[c], true};
     const CountTarget target{length, least, uses_[c] == EdgeUse::Halved, twins_[c]};
     return {length, target.is_even() ? least + least % 2 : least, target.is_halved, target.twin};
   }
@@ -137,6 +140,7 @@ class Discretizer {
 
   const Domain& domain_;
   const SizeField& size_;
+  const IdVector<CurveId, std::uint32_t>& wished_;
   const ArcChains chains_;
   IdVector<CurveId, EdgeUse> uses_;
   IdVector<CurveId, MetricLength> metrics_;
@@ -149,9 +153,10 @@ class Discretizer {
 
 }  // namespace
 
-WorkMesh discretize(const Domain& domain, const SizeField& size, const CellSet& halved, Context& context) {
+WorkMesh discretize(const Domain& domain, const SizeField& size, const IdVector<CurveId, std::uint32_t>& wished,
+                    const CellSet& halved, Context& context) {
   context.progress("discretize", 0);
-  Discretizer discretizer(domain, size, halved);
+  Discretizer discretizer(domain, size, wished, halved);
   discretizer.choose_places();
   context.progress("discretize", 0.5);
   discretizer.refine_arcs();

@@ -16,11 +16,13 @@ namespace quadline {
 /// count follows from a label 0 or 1 per vertex, chosen where it hurts the sizes least.
 ///
 /// @param size    of the edges of the mesh in the end.
+/// @param wished  numbers of edges that curves want for what is planned beside them; 0, or none at all: no wish.
 /// @param halved  cells whose edges will be halved. The curves round them get edges of twice the size, which keep
 ///                farther from what lies near an arc; the other cells there count each of them as two.
 /// @return  nodes (tagged), those of the vertices first, and `segments`; no faces yet.
 /// @throws Cancelled when `context` asks for it.
-WorkMesh discretize(const Domain& domain, const SizeField& size, const CellSet& halved, Context& context);
+WorkMesh discretize(const Domain& domain, const SizeField& size, const IdVector<CurveId, std::uint32_t>& wished,
+                    const CellSet& halved, Context& context);
 
 /// The curves round some cells, in id order: where the edges will be halved.
 std::vector<CurveId> curves_round(const Domain& domain, const CellSet& cells);

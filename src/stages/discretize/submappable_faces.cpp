@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "stages/discretize/walk_turns.hpp"
+#include "domain/walk_turns.hpp"
 
 // Equal counts on opposite sides: interval assignment [Mitchell1997] as a soft target, for what submapping would mesh
 // [Whiteley1996]. An integer program is not needed, because a submappable face that stays unequal costs a few irregular
@@ -98,7 +98,7 @@ void even_out(const std::vector<SubmappableFace>& submaps, IdVector<CurveId, Cou
       }
     for (std::size_t i = 0; i < targets.count(); ++i) {
       const CurveId c(i);
-      if (factors[c].count == 0) continue;
+      if (factors[c].count == 0 || targets[c].is_wished) continue;
       const double l = original[c].length;
       const double factor = factors[c].count == 1 ? factors[c].product : std::sqrt(factors[c].product);
       targets[c].length = std::clamp(targets[c].length * factor, l / kMostCoarsened, l * most[c]);

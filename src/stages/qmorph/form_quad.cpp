@@ -33,8 +33,8 @@ bool Morph::form_quad(HalfId base) {
   const NodeId right = side_edge(at_head, End::Head);
   if (!right.valid() || right == a || right == left || !parity_.tie(b, right, true))
     return refuse(&MorphCounts::refused_side);
-  if (!parity_.tie(left, right, true)) return refuse(&MorphCounts::refused_top);
 
+  // The colours of left and right differ, as those of a and b do: the top edge keeps the loops even.
   ++(topo.find(right, left).valid() ? counts_.top_found : counts_.top_swapped);
   const HalfId top = recover_edge(right, left);
   if (!top.valid()) return refuse(&MorphCounts::refused_top);

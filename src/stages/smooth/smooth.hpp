@@ -10,6 +10,8 @@ namespace quadline {
 
 struct SmoothOptions {
   int passes = 8;                      ///< at most so many sweeps of each step, >= 0; 0: the mesh stays
+  bool slides = true;                  ///< nodes on curves too
+  bool raises_beta = true;             ///< at the cost of angles and of even rows
   double min_move = 2e-3;              ///< a node that wants to move less stays; in target sizes, > 0
   std::optional<Criteria> criteria{};  ///< limits that nodes move towards at last; growth is not looked at
 };

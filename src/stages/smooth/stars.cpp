@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/element.hpp"
+#include "quality/limits.hpp"
+
 namespace quadline::smoothing {
 
 namespace {
@@ -10,16 +13,25 @@ namespace {
 constexpr double kLeastGap = 0.3;  // of the way between two neighbours on a curve: how near a node may slide to one
 constexpr std::size_t kFewAwake = 16;
 
+bool is_beside_broken(const WorkMesh& mesh, NodeId v) {
+  bool is_broken = false;
+  mesh.topo().for_each_out(v, [&](HalfId h) {
+    const FaceId f = mesh.topo().face(h);
+    if (f.valid()) is_broken |= scaled_jacobian(mesh.quad_points(f)) < kBrokenJacobian;
+  });
+  return is_broken;
+}
+
 }  // namespace
 
-Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size) : domain_(domain) {
+Stars::Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size, bool slides) : domain_(domain) {
   const Topology& topo = mesh.topo();
   star_of_.assign(topo.node_capacity(), kNone);
   point_.resize(topo.node_capacity());
   first_.push_back(0);
   for (const NodeId v : topo.nodes()) {
     point_[v.value] = mesh.point(v);
-    if (mesh.is_free(v) || add_slide(mesh, v)) add_star(mesh, v, size);
+    if (mesh.is_free(v) || (slides && add_slide(mesh, v))) add_star(mesh, v, size);
   }
   limit_slides();
   find_beyond();
@@ -41,10 +53,11 @@ void Stars::add_star(const WorkMesh& mesh, NodeId v, const SizeField& size) {
 }
 
 // False where the node has to stay: at a vertex, on an arc, or beside a curve that is broken. Even chords are what the
-// eye sees first on a hole, and long ones would cut its arc short.
+// eye sees first on a hole, and long ones would cut its arc short; but a sound quad is worth an uneven one.
 bool Stars::add_slide(const WorkMesh& mesh, NodeId v) {
   const NodeTag& tag = mesh.tag(v);
-  if (tag.kind != NodeKind::OnCurve || domain_.curves[tag.curve].piece.is_arc()) return false;
+  if (tag.kind != NodeKind::OnCurve || (domain_.curves[tag.curve].piece.is_arc() && !is_beside_broken(mesh, v)))
+    return false;
   Slide slide{tag.curve, tag.s, kNone, kNone, 0, length(domain_.curves[tag.curve].piece), 0, 0};
   mesh.topo().for_each_out(v, [&](HalfId h) {
     if (mesh.curve(edge_of(h)) != tag.curve) return;

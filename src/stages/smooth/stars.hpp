@@ -21,7 +21,7 @@ struct Spoke {
 /// The movable nodes of a mesh and the quads round each, in flat arrays: smoothing reads nothing else.
 class Stars {
  public:
-  Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size);
+  Stars(const WorkMesh& mesh, const Domain& domain, const SizeField& size, bool slides = true);
 
   std::size_t count() const { return node_.size(); }
   std::span<const Spoke> spokes(std::size_t i) const {

@@ -152,7 +152,7 @@ TEST_F(Fallback, WhatIsRoundASpoiledPlaceIsKept) {
   take_left_to(kFirstHalving);
   const Domain& domain = plan_.domain();
   const SizeField size = make_size_field(domain, options_, context_);
-  const CurveNodes nodes(domain, size, plan_.halved_cells(), context_);
+  const CurveNodes nodes(domain, size, {}, {}, plan_.halved_cells(), context_);
   CellMeshes cells(plan_, nodes, size, cache_, clock_, context_);
   const auto raw = quads_of(cells.take_raw(), left());
   std::vector<std::size_t> n_kept;
@@ -241,10 +241,10 @@ TEST(FallbackPlan, SizesOfCurvesAndPointsFollowThoseOfTheirCell) {
 TEST(FallbackPlan, GivesUpAfterManyAttempts) {
   Model model;
   model.size = 1;
-  model.outer.push_back({.items = {{{0, 0}}, {{9, 0}}, {{9, 9}}, {{0, 9}}}});
+  model.outer.push_back({.items = {{{0, 0}}, {{9, 0}}, {{9.5, 9}}, {{0, 9}}}});  // not symmetric
   for (const double at : {3.0, 6.0}) {
     model.lines.push_back({.name = {}, .path = {.items = {{{at, 0}}, {{at, 9}}}}});
-    model.lines.push_back({.name = {}, .path = {.items = {{{0, at}}, {{9, at}}}}});
+    model.lines.push_back({.name = {}, .path = {.items = {{{0, at}}, {{9.5, at}}}}});
   }
   Context context;
   const Options options;

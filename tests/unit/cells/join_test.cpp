@@ -45,9 +45,9 @@ class CellParts : public testing::Test {
 
   Context context_;
   const Domain domain_ = arrange(plate(), {}, context_);
-  const WorkMesh nodes_ = discretize(domain_, make_size_field(domain_, {}, context_), {}, context_);
+  const WorkMesh nodes_ = discretize(domain_, make_size_field(domain_, {}, context_), {}, {}, context_);
   const SizeField size_ = make_size_field(domain_, {}, context_);
-  const CurveNodes cells_{domain_, size_, {}, context_};
+  const CurveNodes cells_{domain_, size_, {}, {}, {}, context_};
 };
 
 TEST_F(CellParts, HaveTheNodesOfTheirCell) {

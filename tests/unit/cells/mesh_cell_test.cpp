@@ -33,7 +33,7 @@ class MeshCell : public testing::Test {
   Context context_;
   const Domain domain_ = arrange(shapes::two_cells(), {}, context_);
   const SizeField size_ = make_size_field(domain_, {}, context_);
-  const CurveNodes nodes_{domain_, size_, {}, context_};
+  const CurveNodes nodes_{domain_, size_, {}, {}, {}, context_};
   const SpacedSizes sizes_ = spaced();
   const cleanup::TemplateTable templates_;
 };
@@ -73,6 +73,45 @@ TEST_F(MeshCell, LinesMayHaveFrontsOnOneSideFirst) {
   EXPECT_NE(mesh_cell(right, {}, context_).start, mesh_cell(right, {.lines = LineFronts::OneSided}, context_).start);
 }
 
+TEST_F(MeshCell, AGridComesBeforeTheOtherStages) {
+  // The left cell without its hole is a rectangle of 4 x 4 with size 0.5.
+  Model plain = shapes::two_cells();
+  plain.holes.clear();
+  const Domain domain = arrange(plain, {}, context_);
+  const SizeField size = make_size_field(domain, {}, context_);
+  const CurveNodes nodes(domain, size, {}, {}, {}, context_);
+  const SpacedSizes sizes(size);
+  const CellId left(domain.cells[CellId(std::size_t{0})].walks.size() == 1 ? std::size_t{0} : std::size_t{1});
+  const CellInput input{domain, left, nodes, sizes, templates_};
+  const CurvePiece& first = domain.curves[domain.cells[left].walks[0][0].curve].piece;
+  ASSERT_EQ(first.a.y, first.b.y);
+  const CellResult grid = mesh_cell(input, {.may_grid = true}, context_);
+  expect_sound(grid);
+  EXPECT_TRUE(grid.is_grid);
+  EXPECT_EQ(stages(grid), std::vector<std::string>{"grid"});
+  EXPECT_EQ(fingerprint(grid.mesh), fingerprint(grid.raw));
+  EXPECT_EQ(grid.counts, MorphCounts());
+  EXPECT_FALSE(mesh_cell(input, {}, context_).is_grid);
+}
+
+TEST_F(MeshCell, QMorphFollowsAGridThatDoesNotFit) {
+  const CellResult tried = mesh({.may_grid = true}), front = mesh({});  // no plan for the hole
+  expect_sound(tried);
+  EXPECT_FALSE(tried.is_grid);
+  EXPECT_EQ(stages(tried), (std::vector<std::string>{"grid", "triangulate", "field points", "qmorph", "clean-up"}));
+  EXPECT_EQ(fingerprint(tried.mesh), fingerprint(front.mesh));
+}
+
+TEST_F(MeshCell, APlannedGridThatDoesNotFitIsTrouble) {
+  GridPlan plan;
+  plan.holes = {{.walk = 1, .columns = 40, .rows = 40, .rings = 1, .at = {2, 2}, .place = {4, 4}}};
+  const CellResult result = mesh({.may_grid = true, .grid = plan});
+  ASSERT_TRUE(result.trouble);
+  EXPECT_TRUE(result.trouble->is_grid);
+  EXPECT_EQ(result.mesh.topo().face_count(), 0u);
+  EXPECT_EQ(stages(result), std::vector<std::string>{"grid"});
+}
+
 class MeshHalvedCell : public MeshCell {
  protected:
   static CellSet both() {
@@ -82,7 +121,7 @@ class MeshHalvedCell : public MeshCell {
   }
   CellResult mesh(const Recipe& recipe) {
     CellInput halved = input();
-    const CurveNodes nodes(domain_, size_, both(), context_);
+    const CurveNodes nodes(domain_, size_, {}, {}, both(), context_);
     return mesh_cell({domain_, halved.cell, nodes, sizes_, templates_, cache_}, recipe, context_);
   }
   const CellCache* cache_ = nullptr;

@@ -83,7 +83,7 @@ TEST(ThinQuads, AreKeptByCleanUpWhereTheRecipeSaysSo) {
   const cleanup::TemplateTable templates;
   CellSet halved;
   halved.insert(CellId(std::size_t{0}));
-  const CurveNodes nodes(domain, size, halved, context);
+  const CurveNodes nodes(domain, size, {}, {}, halved, context);
   const CellInput input{domain, CellId(std::size_t{0}), nodes, sizes, templates};
   const auto thin_quads = [](const WorkMesh& mesh) {
     std::set<std::vector<std::pair<double, double>>> quads;

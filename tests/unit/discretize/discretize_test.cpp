@@ -22,7 +22,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 WorkMesh nodes_of(const Domain& domain, const Options& options = {}, const CellSet& halved = {}) {
   Context context;
-  return discretize(domain, make_size_field(domain, options, context), halved, context);
+  return discretize(domain, make_size_field(domain, options, context), {}, halved, context);
 }
 
 CellSet all_cells(const Domain& domain) {

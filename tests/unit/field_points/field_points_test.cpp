@@ -30,7 +30,7 @@ struct Triangulated {
   explicit Triangulated(const Model& model)
       : domain(arrange(model, {}, context)),
         size(make_size_field(domain, {}, context)),
-        mesh(discretize(domain, size, {}, context)) {
+        mesh(discretize(domain, size, {}, {}, context)) {
     triangulate(mesh, domain, context);
   }
   void fill(Triangles how) { insert_field_points(mesh, size, how, context); }

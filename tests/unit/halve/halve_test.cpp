@@ -97,7 +97,7 @@ TEST(Halve, MiddlesOfArcsLieOnThem) {
   const SizeField size = make_size_field(domain, {}, context);
   CellSet all;
   all.insert(CellId(0));
-  const WorkMesh nodes = discretize(domain, size, all, context);
+  const WorkMesh nodes = discretize(domain, size, {}, all, context);
   WorkMesh mesh = nodes, halved_nodes = nodes;
   triangulate(mesh, domain, context);
   insert_field_points(mesh, size.scaled(2), Triangles::Front, context);

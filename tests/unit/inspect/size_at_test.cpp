@@ -61,8 +61,9 @@ TEST(SizeAt, EdgesOfAGradedPlateAreNearIt) {
 
 TEST(SizeAt, TheLeastOfItAndTheModelHolds) {
   const MeshResult plain = mesh_of({}), large = mesh_of({.size_at = [](Point) { return 5.0; }});
-  EXPECT_EQ(large.mesh.points, plain.mesh.points);
   EXPECT_EQ(large.mesh.quads, plain.mesh.quads);
+  for (std::size_t i = 0; i < plain.mesh.points.size(); ++i)  // only the plain one is made symmetric
+    EXPECT_LT(distance(large.mesh.points[i], plain.mesh.points[i]), 1e-12);
 }
 
 TEST(SizeAt, JumpsAreGraded) {

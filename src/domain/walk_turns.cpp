@@ -1,4 +1,4 @@
-#include "stages/discretize/walk_turns.hpp"
+#include "domain/walk_turns.hpp"
 
 #include <cstddef>
 

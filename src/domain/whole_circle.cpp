@@ -1,0 +1,39 @@
+#include "domain/whole_circle.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+#include "base/constants.hpp"
+
+namespace quadline {
+
+WholeCircles::WholeCircles(const Domain& domain) {
+  IdVector<VertexId, std::uint32_t> ends(domain.vertices.count());
+  for (const Domain::Curve& c : domain.curves)
+    for (const VertexId v : {c.tail, c.head}) ++ends[v];
+  for (const std::uint32_t n : ends) is_seam_.push_back(n == 2);
+  for (const Domain::PointUse& point : domain.points) is_seam_[point.vertex] = false;
+}
+
+std::optional<WholeCircle> WholeCircles::find(const Domain& domain, const std::vector<DirectedCurve>& walk) const {
+  if (walk.size() != 2) return std::nullopt;
+  const CurvePiece &a = domain.curves[walk[0].curve].piece, &b = domain.curves[walk[1].curve].piece;
+  if (!a.is_arc() || !b.is_arc() || a.center != b.center || a.radius != b.radius) return std::nullopt;
+  const Domain::Curve& first = domain.curves[walk[0].curve];
+  if (!is_seam_[first.tail] || !is_seam_[first.head]) return std::nullopt;
+  return WholeCircle{a.center, a.radius};
+}
+
+void WholeCircles::turn(Domain& domain, const std::vector<DirectedCurve>& walk, Point direction) {
+  Domain::Curve &first = domain.curves[walk[0].curve], &second = domain.curves[walk[1].curve];
+  const Point way = (first.piece.radius / norm(direction)) * direction;
+  domain.vertices[first.tail].at = first.piece.center + way;
+  domain.vertices[first.head].at = first.piece.center - way;
+  for (Domain::Curve* curve : {&first, &second}) {
+    curve->piece.a = domain.vertices[curve->tail].at;
+    curve->piece.b = domain.vertices[curve->head].at;
+    curve->piece.sweep = std::copysign(0.5 * kFullTurn, curve->piece.sweep);
+  }
+}
+
+}  // namespace quadline

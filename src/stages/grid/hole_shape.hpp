@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "domain/domain.hpp"
+#include "quadline/options.hpp"
+#include "stages/grid/grid_frame.hpp"
+#include "stages/grid/propose_grid.hpp"
+
+namespace quadline {
+
+/// A hole that a grid can go round: a whole circle; a slot, with two half circles; a rectangle with round corners. The
+/// straight sides run along the rows and columns.
+struct HoleShape {
+  std::size_t walk;
+  Point center{};
+  std::array<double, 2> across{};  ///< width and height, model units
+  double radius = 0;               ///< of its arcs
+  int arcs = 0;                    ///< 2: whole circle or slot, 4: rectangle
+  double area = 0;
+  double around = 0;  ///< length of the walk
+
+  bool is_circle() const { return across[0] == across[1] && arcs == 2; }
+};
+
+/// Empty where the walk is none of these.
+std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame);
+
+/// The squares that a hole leaves out of a grid, and the edges that make its curves fit.
+struct HoleCounts {
+  std::array<int, 2> k{};                   ///< columns and rows
+  std::array<std::uint32_t, 2> straight{};  ///< on a straight side along the rows, along the columns
+  std::uint32_t arc = 0;                    ///< on each arc
+
+  int edges() const { return 2 * (k[0] + k[1]); }
+};
+
+/// One column (side 0) or row more, a circle's both, with the edges that this asks for.
+void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side);
+
+/// For a grid of size h, with room for rings: more room the greater `variant` is. The corners of the patch come to lie
+/// at nodes in the middle of round corners, or alike on both sides of the ends of a slot.
+HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options& options);
+
+/// Rings round a hole: more where it is small in its patch.
+int rings_of(const HoleShape& hole, const HoleCounts& counts, double h);
+
+}  // namespace quadline

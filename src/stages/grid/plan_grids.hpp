@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "domain/domain.hpp"
+#include "quadline/options.hpp"
+#include "stages/grid/propose_grid.hpp"
+
+namespace quadline {
+
+/// Which cells with round holes are to become grids with rings, and what their curves need for it.
+struct GridPlans {
+  IdVector<CellId, std::optional<GridProposal>> cells;
+  IdVector<CurveId, std::uint32_t> counts;  ///< edges wished for; 0: no wish
+
+  /// Takes the plan of a cell away, with what it asked of its curves. O(wishes).
+  void drop(CellId c, Domain& domain);
+};
+
+/// Plans grids for cells with round holes: those whose other curves are straight and at right angles, and rings between
+/// two concentric circles. In the domain their whole circles are turned, so that the ends of the two arcs lie where the
+/// grid wants them, and holes with rings are marked.
+///
+/// Cells with a line, a point or a neighbour of lesser size get no plan: their grids could not grade.
+/// @param cost  of a proposal in the domain as it is turned for it; infinity: it will not do.
+/// Cost O(n log n) but for `cost`, which is asked `kProposals` times for each cell.
+GridPlans plan_grids(Domain& domain, const Options& options,
+                     const std::function<double(const Domain&, CellId, const GridProposal&)>& cost);
+
+}  // namespace quadline

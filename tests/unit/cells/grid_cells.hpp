@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "domain/arrange/arrange.hpp"
+#include "quadline/model.hpp"
+
+namespace quadline::shapes {
+
+/// A plate of 12 x 12 from the origin, size 1, with round holes.
+inline Model square_plate(const std::vector<Circle>& holes) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.items = {{{0, 0}}, {{12, 0}}, {{12, 12}}, {{0, 12}}}});
+  for (const Circle& hole : holes) model.holes.push_back({.circle = hole});
+  return model;
+}
+
+inline Domain arranged(const Model& model) {
+  Context context;
+  return arrange(model, {}, context);
+}
+
+}  // namespace quadline::shapes

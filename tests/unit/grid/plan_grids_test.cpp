@@ -1,0 +1,289 @@
+// Which cells are to become grids, and that like holes get like rings.
+#include "stages/grid/plan_grids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "base/constants.hpp"
+#include "domain/whole_circle.hpp"
+#include "tests/unit/grid/grid_shapes.hpp"
+
+namespace quadline {
+namespace {
+
+const CellId kCell(std::size_t{0});
+
+double free_of_charge(const Domain&, CellId, const GridProposal&) { return 0; }
+
+// The domain as it is planned, too.
+struct Planned {
+  Domain domain;
+  GridPlans plans;
+
+  const GridPlan& plan() const { return plans.cells[kCell]->plan; }
+  std::uint32_t count(DirectedCurve d) const { return plans.counts[d.curve]; }
+  // Edges on the curves of the outer walk in the direction of an axis.
+  std::uint32_t side_count(Point axis) const {
+    std::uint32_t n = 0;
+    for (const DirectedCurve& d : domain.cells[kCell].walks[0]) {
+      const CurvePiece& p = domain.curves[d.curve].piece;
+      if (dot((d.reversed ? -1.0 : 1.0) * (p.b - p.a), axis) > 0.5 * length(p)) n += count(d);
+    }
+    return n;
+  }
+};
+
+Planned planned(Domain domain,
+                const std::function<double(const Domain&, CellId, const GridProposal&)>& cost = free_of_charge,
+                const Options& options = {}) {
+  GridPlans plans = plan_grids(domain, options, cost);
+  return {std::move(domain), std::move(plans)};
+}
+
+// Centres at the middles of n x n squares of `pitch`.
+std::vector<Point> centers(int n, double pitch) {
+  std::vector<Point> all;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) all.push_back({(i + 0.5) * pitch, (j + 0.5) * pitch});
+  return all;
+}
+
+bool has_fill(const Planned& planned) {
+  std::vector<std::uint32_t> counts(planned.plans.counts.raw());
+  WorkMesh mesh = shapes::nodes_on(planned.domain, counts);
+  return fill_grid(mesh, planned.domain, kCell, planned.plan()) && shapes::unsound_count(mesh) == 0;
+}
+
+TEST(PlanGrids, OneHoleInAPlate) {
+  const Planned made = planned(shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 1.8)));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  ASSERT_EQ(made.plan().holes.size(), 1u);
+  const GridHole& hole = made.plan().holes[0];
+  EXPECT_EQ(hole.columns, hole.rows);
+  EXPECT_GE(hole.columns, 4);
+  EXPECT_LE(hole.columns, 6);
+  EXPECT_EQ(hole.rings, 1);
+  EXPECT_EQ(hole.place, (Point{0.5 * made.plan().columns, 0.5 * made.plan().rows}));
+  for (const DirectedCurve& d : made.domain.cells[kCell].walks[1]) {
+    EXPECT_EQ(made.count(d), static_cast<std::uint32_t>(2 * hole.columns));
+    EXPECT_TRUE(made.domain.curves[d.curve].has_rings);
+  }
+  for (const DirectedCurve& d : made.domain.cells[kCell].walks[0]) EXPECT_FALSE(made.domain.curves[d.curve].has_rings);
+  EXPECT_EQ(made.side_count({1, 0}), static_cast<std::uint32_t>(made.plan().columns));
+  EXPECT_EQ(made.side_count({-1, 0}), static_cast<std::uint32_t>(made.plan().columns));
+  EXPECT_EQ(made.side_count({0, 1}), static_cast<std::uint32_t>(made.plan().rows));
+  EXPECT_NEAR(made.plan().columns * made.plan().rows, 16 * 12, 40);
+  EXPECT_TRUE(has_fill(made));
+}
+
+TEST(PlanGrids, TheArcsOfAHoleEndOnTheDiagonalOfItsPatch) {
+  const Planned made = planned(shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 2)));
+  for (const DirectedCurve& d : made.domain.cells[kCell].walks[1]) {
+    const CurvePiece& piece = made.domain.curves[d.curve].piece;
+    EXPECT_NEAR(std::abs(piece.a.x - 8), std::sqrt(2), 1e-12);
+    EXPECT_NEAR(piece.a.x - 8, piece.a.y - 6, 1e-12);
+  }
+}
+
+TEST(PlanGrids, LikeHolesHaveLikePatchesAndGaps) {
+  const Planned made = planned(shapes::arranged(shapes::plate_model(44, 44, centers(8, 5.5), 1.5)));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  ASSERT_EQ(made.plan().holes.size(), 64u);
+  std::set<int> k;
+  std::set<double> x, y;
+  for (const GridHole& hole : made.plan().holes) {
+    k.insert({hole.columns, hole.rows});
+    x.insert(hole.place.x);
+    y.insert(hole.place.y);
+    EXPECT_EQ(hole.rings, 1);
+  }
+  EXPECT_EQ(k.size(), 1u);
+  ASSERT_EQ(x.size(), 8u);
+  EXPECT_EQ(x, y);
+  const std::vector<double> along(x.begin(), x.end());
+  for (std::size_t n = 1; n < along.size(); ++n) EXPECT_EQ(along[n] - along[n - 1], along[1] - along[0]);
+  EXPECT_EQ(made.plan().columns, made.plan().rows);
+  EXPECT_EQ(along.front(), made.plan().columns - along.back());  // the same from both edges
+  EXPECT_TRUE(has_fill(made));
+}
+
+TEST(PlanGrids, AFlangeHasTheSameRaysFromBoltToBolt) {
+  const Planned made = planned(shapes::arranged(shapes::flange_model(8)));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  ASSERT_EQ(made.plan().holes.size(), 8u);
+  std::set<int> k;
+  for (const GridHole& hole : made.plan().holes) k.insert({hole.columns, hole.rows});
+  EXPECT_EQ(k.size(), 1u);
+  std::set<std::uint32_t> rays;
+  for (const std::size_t w : {std::size_t{0}, made.plan().inner})
+    for (const DirectedCurve& d : made.domain.cells[kCell].walks[w]) rays.insert(made.count(d));
+  ASSERT_EQ(rays.size(), 1u);
+  EXPECT_EQ(2 * *rays.begin() % 8, 0u);
+  EXPECT_TRUE(has_fill(made));
+  for (const GridHole& hole : made.plan().holes)
+    for (const DirectedCurve& d : made.domain.cells[kCell].walks[hole.walk])
+      EXPECT_EQ(made.count(d), static_cast<std::uint32_t>(2 * *k.begin()));
+}
+
+// The two arcs of a circle have an even number of edges each, and every bolt the same, whatever the number of bolts.
+TEST(PlanGrids, AFlangeOfAnyNumberOfBoltsHasRaysForTwoEvenArcs) {
+  for (const int bolts : {2, 3, 4, 5, 6, 7, 10}) {
+    const Planned made = planned(shapes::arranged(shapes::flange_model(bolts)));
+    ASSERT_TRUE(made.plans.cells[kCell]) << bolts;
+    const std::uint32_t half = made.count(made.domain.cells[kCell].walks[0][0]);
+    EXPECT_EQ(half % 2, 0u) << bolts;
+    EXPECT_EQ(2 * half % static_cast<std::uint32_t>(bolts), 0u) << bolts;
+  }
+}
+
+TEST(PlanGrids, ARingWithoutHolesIsOne) {
+  const Planned made = planned(shapes::arranged(shapes::flange_model(0)));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  EXPECT_TRUE(made.plan().frame.is_polar);
+  EXPECT_TRUE(has_fill(made));
+}
+
+TEST(PlanGrids, AThickRingIsNone) {
+  Model model = shapes::flange_model(0);
+  model.holes[0].circle->radius = 3.3;
+  EXPECT_FALSE(planned(shapes::arranged(model)).plans.cells[kCell]);
+  model.holes[0].circle->radius = 3.6;
+  EXPECT_TRUE(planned(shapes::arranged(model)).plans.cells[kCell]);
+}
+
+TEST(PlanGrids, SmallHolesHaveMoreRings) {
+  const auto rings = [](double radius) {
+    return planned(shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, radius))).plan().holes[0].rings;
+  };
+  EXPECT_EQ(rings(1.5), 1);
+  EXPECT_EQ(rings(0.3), 2);
+  EXPECT_EQ(rings(0.1), 3);
+}
+
+TEST(PlanGrids, TakesTheProposalThatCostsLeast) {
+  const Domain domain = shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 2));
+  std::set<int> asked;
+  const auto dear_by_columns = [&](const Domain&, CellId, const GridProposal& proposal) {
+    asked.insert(proposal.plan.columns * proposal.plan.rows);
+    return static_cast<double>(proposal.plan.columns * proposal.plan.rows);
+  };
+  const Planned least = planned(domain, dear_by_columns);
+  EXPECT_GT(asked.size(), 1u);
+  EXPECT_EQ(least.plan().columns * least.plan().rows, *asked.begin());
+  const Planned most = planned(domain, [&](const Domain& d, CellId c, const GridProposal& proposal) {
+    return -dear_by_columns(d, c, proposal);
+  });
+  EXPECT_EQ(most.plan().columns * most.plan().rows, *asked.rbegin());
+}
+
+TEST(PlanGrids, ProposalsAreShownInTheDomainThatTheyWant) {
+  const Domain domain = shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 2));
+  int n = 0;
+  planned(domain, [&](const Domain& turned, CellId c, const GridProposal&) {
+    ++n;
+    for (const DirectedCurve& d : turned.cells[c].walks[1]) {
+      EXPECT_TRUE(turned.curves[d.curve].has_rings);
+      EXPECT_NEAR(std::abs(turned.curves[d.curve].piece.a.x - 8), std::sqrt(2), 1e-12);
+    }
+    return 0;
+  });
+  EXPECT_GT(n, 1);
+  EXPECT_LE(n, kProposals);
+}
+
+TEST(PlanGrids, WhereNoneWillDoTheDomainIsAsItWas) {
+  const Domain domain = shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 2));
+  const Planned made = planned(domain, [](const Domain&, CellId, const GridProposal&) { return kInfinity; });
+  EXPECT_FALSE(made.plans.cells[kCell]);
+  for (std::size_t i = 0; i < domain.curves.count(); ++i) {
+    const CurveId c(i);
+    EXPECT_EQ(made.plans.counts[c], 0u);
+    EXPECT_FALSE(made.domain.curves[c].has_rings);
+    EXPECT_NEAR(distance(made.domain.curves[c].piece.a, domain.curves[c].piece.a), 0, 1e-12);
+    EXPECT_NEAR(made.domain.curves[c].piece.sweep, domain.curves[c].piece.sweep, 1e-12);
+  }
+}
+
+TEST(PlanGrids, NotWhereSizesWouldHaveToGrade) {
+  const Model plate = shapes::plate_model(16, 12, {{5, 6}}, 1.5);
+  ASSERT_TRUE(planned(shapes::arranged(plate)).plans.cells[kCell]);
+  Model fine_line = plate;
+  fine_line.lines.push_back({.name = "weld", .path = {.items = {{{9, 0}}, {{9, 12}}}}, .size = 0.4});
+  Model fine_region = plate;
+  fine_region.lines.push_back({.name = "cut", .path = {.items = {{{9, 0}}, {{9, 12}}}}});
+  Model same_region = fine_region;
+  fine_region.regions.push_back({.name = "fine", .at = {12, 6}, .size = 0.4});
+  Model with_point = plate;
+  with_point.points.push_back({.name = "lug", .at = {11, 6}});
+  const auto any = [](const Planned& made) {
+    return std::any_of(made.plans.cells.begin(), made.plans.cells.end(),
+                       [](const auto& plan) { return plan.has_value(); });
+  };
+  EXPECT_TRUE(any(planned(shapes::arranged(same_region))));
+  EXPECT_FALSE(any(planned(shapes::arranged(fine_line))));
+  EXPECT_FALSE(any(planned(shapes::arranged(fine_region))));
+  EXPECT_FALSE(any(planned(shapes::arranged(with_point))));
+}
+
+TEST(PlanGrids, NotForOtherShapes) {
+  Model triangle;
+  triangle.size = 1;
+  triangle.outer.push_back({.items = {{{0, 0}}, {{16, 0}}, {{8, 14}}}});
+  triangle.holes.push_back({.circle = Circle{{8, 5}, 1.5}});
+  EXPECT_FALSE(planned(shapes::arranged(triangle)).plans.cells[kCell]);
+  Model three_cornered = shapes::plate_model(16, 12, {}, 1);
+  three_cornered.holes.push_back({.items = {{{6, 4}}, {{10, 4}}, {{8, 8}}}});
+  EXPECT_FALSE(planned(shapes::arranged(three_cornered)).plans.cells[kCell]);
+}
+
+TEST(PlanGrids, NotWhereAHoleCutsTheEdge) {
+  const Planned made = planned(shapes::arranged(shapes::plate_model(16, 12, {{16, 6}}, 2)));
+  EXPECT_FALSE(made.plans.cells[kCell]);
+}
+
+TEST(PlanGrids, AnnulusRoundAHoleOfAGridFollowsIt) {
+  // A washer of its own in a plate: the ring is a cell, and has the nodes that the plate wants.
+  Model model = shapes::plate_model(24, 24, {{12, 12}}, 3);
+  model.lines.push_back({.name = "pad", .path = {.circle = Circle{{12, 12}, 5}}});
+  const Planned made = planned(shapes::arranged(model));
+  ASSERT_EQ(made.domain.cells.count(), 2u);
+  std::size_t n_polar = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(made.plans.cells[CellId(i)]);
+    const GridPlan& plan = made.plans.cells[CellId(i)]->plan;
+    if (!plan.frame.is_polar) continue;
+    ++n_polar;
+    const auto& walks = made.domain.cells[CellId(i)].walks;
+    EXPECT_EQ(made.count(walks[0][0]), made.count(walks[plan.inner][0]));
+    const CurvePiece &outer = made.domain.curves[walks[0][0].curve].piece,
+                     &inner = made.domain.curves[walks[plan.inner][0].curve].piece;
+    EXPECT_NEAR(std::abs(cross(outer.a - outer.center, inner.a - inner.center)), 0, 1e-9);  // on one ray
+  }
+  EXPECT_EQ(n_polar, 1u);
+}
+
+TEST(PlanGrids, APlanThatIsDroppedLeavesNoWish) {
+  Model model = shapes::plate_model(24, 10, {{6, 5}, {18, 5.5}}, 1.5);
+  model.lines.push_back({.name = "middle", .path = {.items = {{{12, 0}}, {{12, 10}}}}});
+  Planned made = planned(shapes::arranged(model));
+  ASSERT_EQ(made.domain.cells.count(), 2u);
+  const CellId other(std::size_t{1});
+  ASSERT_TRUE(made.plans.cells[other]);
+  made.plans.drop(kCell, made.domain);
+  EXPECT_FALSE(made.plans.cells[kCell]);
+  ASSERT_TRUE(made.plans.cells[other]);
+  for (const auto& walk : made.domain.cells[kCell].walks)
+    for (const DirectedCurve& d : walk) {
+      const Domain::Curve& curve = made.domain.curves[d.curve];
+      const bool is_shared = curve.left.valid() && curve.right.valid();
+      EXPECT_EQ(made.count(d) > 0, is_shared);  // the other cell wishes for its own
+      EXPECT_FALSE(curve.has_rings);
+    }
+  for (const DirectedCurve& d : made.domain.cells[other].walks[1])
+    EXPECT_TRUE(made.domain.curves[d.curve].has_rings && made.count(d) > 0);
+}
+
+}  // namespace
+}  // namespace quadline
