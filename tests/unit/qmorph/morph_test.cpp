@@ -477,20 +477,6 @@ TEST_F(MorphTest, CompletionTakesTheBestPairsFirst) {
   EXPECT_EQ(morph.counts().completion_quads, 16u);
 }
 
-TEST_F(MorphTest, CompletionMatchesWhatItCanBeforeItHalves) {
-  // Equilateral triangles: all pairs are worth the same, and a tree alone would tie long chains together.
-  constexpr std::size_t kSide = 8;
-  WorkMesh mesh = shapes::triangulated_grid(kSide, kSide);
-  for (const NodeId v : mesh.topo().nodes()) {
-    const Point p = mesh.point(v);
-    mesh.move(v, {p.x - 0.5 * p.y, std::sqrt(0.75) * p.y});
-  }
-  Morph morph(mesh, size_);
-  morph.complete();
-  EXPECT_EQ(shapes::n_triangles(mesh), 0u);
-  EXPECT_LE(mesh.topo().face_count(), 90u);
-}
-
 TEST_F(MorphTest, CompletionLeavesNoTriangleAndKeepsEveryLine) {
   for (std::size_t n : {1u, 2u, 3u, 5u, 8u}) {
     WorkMesh mesh = shapes::triangulated_grid(2 * n, n + 1, {{2 * n + 1, 4 * n + 2}});
