@@ -11,8 +11,6 @@ namespace quadline {
 
 namespace {
 
-constexpr double kWorstPair = 0.15;  // scaled Jacobian below which two triangles are not matched at once
-
 struct DualEdge {
   EdgeId edge;
   double worth;  // scaled Jacobian of the quad that merging gives
@@ -35,9 +33,7 @@ class Completion {
     std::sort(edges.begin(), edges.end(), [](const DualEdge& a, const DualEdge& b) {
       return a.worth != b.worth ? a.worth > b.worth : a.edge < b.edge;
     });
-    for (const DualEdge& e : edges)
-      if (e.worth > kWorstPair && degree(e.edge, 0) == 0 && degree(e.edge, 1) == 0) flip(e.edge);
-    join_the_unmatched(edges);
+    join(edges);
   }
 
   // The clusters of triangles that J ties together, each with its quads.
@@ -82,9 +78,10 @@ class Completion {
     return scaled_jacobian({p(h), p(topo.prev(twin(h))), p(twin(h)), p(topo.prev(h))});
   }
 
-  // Along a spanning tree of each connected set, from the leaves to the root, every even triangle takes the edge to its
-  // parent. The root comes out odd because the set is even.
-  void join_the_unmatched(const std::vector<DualEdge>& edges) {
+  // Along a spanning tree of the best edges of each connected set, from the leaves to the root, every triangle that
+  // meets no edge of J or two takes that to its parent: the only J in the tree. The root comes out odd because the set
+  // is even.
+  void join(const std::vector<DualEdge>& edges) {
     const Topology& topo = mesh_.topo();
     IdVector<FaceId, FaceId> group(topo.face_capacity());
     for (const FaceId f : triangles_) group[f] = f;
