@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "domain/arrange/arrange.hpp"
 #include "quadline/model.hpp"
+#include "tests/unit/grid/grid_shapes.hpp"
 
 namespace quadline::shapes {
 
@@ -14,11 +14,6 @@ inline Model square_plate(const std::vector<Circle>& holes) {
   model.outer.push_back({.items = {{{0, 0}}, {{12, 0}}, {{12, 12}}, {{0, 12}}}});
   for (const Circle& hole : holes) model.holes.push_back({.circle = hole});
   return model;
-}
-
-inline Domain arranged(const Model& model) {
-  Context context;
-  return arrange(model, {}, context);
 }
 
 }  // namespace quadline::shapes

@@ -86,25 +86,15 @@ TEST(GridMeshes, FourHolesAlike) {
   EXPECT_EQ(edges, std::vector<std::size_t>(4, edges[0]));
 }
 
-Model flange(int bolts) {
-  Model model;
-  model.size = 1;
-  model.outer.push_back({.circle = Circle{{0, 0}, 12}});
-  model.holes.push_back({.circle = Circle{{0, 0}, 5}});
-  for (int n = 0; n < bolts; ++n)
-    model.holes.push_back({.circle = Circle{turned({8.5, 0}, 2 * std::numbers::pi * n / bolts), 0.9}});
-  return model;
-}
-
 TEST(GridMeshes, ARing) {
-  const MeshResult result = made(flange(0));
+  const MeshResult result = made(shapes::flange_model(0));
   expect_all_grids(result);
   expect_symmetric(result, motions_of_a_square({0, 0}));
   EXPECT_EQ(result.report.quality.n_irregular, 0u);
 }
 
 TEST(GridMeshes, AFlangeOfEightBolts) {
-  const MeshResult result = made(flange(8));
+  const MeshResult result = made(shapes::flange_model(8));
   expect_all_grids(result);
   expect_symmetric(result, motions_of_a_square({0, 0}));
   EXPECT_EQ(result.report.quality.n_irregular, 32u);  // four at each bolt
