@@ -114,10 +114,11 @@ MeshResult mesh_by(FallbackPlan& plan, const Model& model, const Options& option
 MeshResult generate(const Model& model, const Options& options, Context& context) {
   check(options);
   StageClock clock;
-  FallbackPlan plan(clock.run("arrange", context, [&] { return arrange(model, options, context); }), options);
+  Domain domain = clock.run("arrange", context, [&] { return arrange(model, options, context); });
+  FallbackPlan plan = clock.run("layout", context, [&] { return FallbackPlan(std::move(domain), options, context); });
   MeshResult result = mesh_by(plan, model, options, clock, context);
   if (result.failure && plan.is_cut()) {  // what cannot be meshed in halves may be as a whole
-    FallbackPlan uncut(plan.model(), options, false);
+    FallbackPlan uncut(plan.model(), options, context, false);
     MeshResult other = mesh_by(uncut, model, options, clock, context);
     if (!other.failure) result = std::move(other);
   }

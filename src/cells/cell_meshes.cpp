@@ -66,7 +66,10 @@ CellMeshes::CellMeshes(const FallbackPlan& plan, const CurveNodes& nodes, const 
   for (std::size_t i = 0; i < results_.count(); ++i)
     if (const CellId c(i); !is_copy[c]) (recipes_[c].is_grid_planned() ? planned : others).insert(c);
   mesh(planned);
-  if (!troubles().empty()) return;  // there will be another attempt: the others would be meshed in vain
+  if (!troubles().empty()) {  // there will be another attempt: the others would be meshed in vain
+    for (const CellCopy& next : copies) copy_trouble(next);
+    return;
+  }
   mesh(others);
   clock.run("copies", context, [&] {
     for (const CellCopy& next : copies) copy(next);
@@ -99,6 +102,14 @@ void CellMeshes::mesh(const CellSet& cells) {
   });
 }
 
+void CellMeshes::copy_trouble(const CellCopy& copy) {
+  std::optional<Trouble>& trouble = results_[copy.copy].trouble;
+  trouble = results_[copy.original].trouble;
+  if (!trouble) return;
+  trouble->cell = copy.copy;
+  trouble->at = copy.move(trouble->at);
+}
+
 void CellMeshes::copy(const CellCopy& copy) {
   const CellResult& from = results_[copy.original];
   CellResult& to = results_[copy.copy];
@@ -109,7 +120,7 @@ void CellMeshes::copy(const CellCopy& copy) {
   to.is_copy = true;
   for (const CellSnapshot& snapshot : from.snapshots)
     to.snapshots.push_back({snapshot.name, copied(snapshot.mesh, copy, nodes_)});
-  if (from.trouble) to.trouble = {copy.copy, from.trouble->reason, copy.move(from.trouble->at)};
+  copy_trouble(copy);
 }
 
 void CellMeshes::keep_in_cache(CellId c) {

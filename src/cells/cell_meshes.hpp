@@ -47,6 +47,7 @@ class CellMeshes {
  private:
   void mesh(const CellSet& cells);
   void copy(const CellCopy& copy);
+  void copy_trouble(const CellCopy& copy);
   void freeze_grids();
   void keep_in_cache(CellId c);
   void tell_snapshots() const;

@@ -19,10 +19,10 @@ namespace quadline {
 class CurveNodes {
  public:
   /// Places them by the size field, an even number of edges round every cell, as symmetric as the domain.
+  /// @param wished  edges that curves want, see `discretize`.
   /// @param symmetries  of the domain and of `halved`.
   /// @param halved  cells whose edges will be halved: until then they have every second node.
   /// @throws Cancelled when `context` asks for it.
-  /// @param wished  edges that curves want, see `discretize`.
   CurveNodes(const Domain& domain, const SizeField& size, const IdVector<CurveId, std::uint32_t>& wished,
              const std::vector<Symmetry>& symmetries, const CellSet& halved, Context& context);
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "cells/rehearse_grid.hpp"
+#include "cells/quad_limit.hpp"
+#include "cells/rehearsal.hpp"
 #include "cells/thin_quads.hpp"
 #include "domain/symmetry/cut_at_axes.hpp"
 
@@ -12,6 +13,7 @@ namespace quadline {
 namespace {
 
 constexpr std::size_t kMostAttempts = 24;
+constexpr std::size_t kMostGridFailures = 2;  // attempts with a planned grid that did not come out
 
 double area_of(const WorkMesh& mesh, FaceId f) {
   const QuadPoints p = mesh.quad_points(f);
@@ -31,30 +33,44 @@ IdVector<CellId, Point> places_in_cells(const WorkMesh& mesh, std::size_t n_cell
   return places;
 }
 
-// Cells that are to become grids come out symmetric as they are. In the model too their circles are turned.
-Domain cut(Domain& model, const Options& options, bool may_cut) {
-  CellSet grids;
-  if (options.method == Method::Layout) {
-    const GridPlans plans = plan_grids(model, options, rehearsed_cost);
-    for (std::size_t i = 0; i < plans.cells.count(); ++i)
-      if (plans.cells[CellId(i)]) grids.insert(CellId(i));
-  }
-  return may_cut && !options.size_at ? cut_at_axes(model, grids) : model;
+CellSet planned(const GridPlans& plans) {
+  CellSet cells;
+  for (std::size_t i = 0; i < plans.cells.count(); ++i)
+    if (plans.cells[CellId(i)]) cells.insert(CellId(i));
+  return cells;
 }
 
 }  // namespace
 
-FallbackPlan::FallbackPlan(Domain model, const Options& options, bool may_cut)
-    : model_(std::move(model)),
-      domain_(cut(model_, options, may_cut)),
-      options_(options),
-      rung_(domain_.cells.count(), 0),
-      why_(rung_.count()) {
-  if (options.method == Method::Layout) grids_ = plan_grids(domain_, options, rehearsed_cost);
+FallbackPlan::FallbackPlan(Domain model, const Options& options, const Context& context, bool may_cut)
+    : model_(std::move(model)), options_(options) {
+  if (QuadLimit(options).refuse_expected(model_).empty()) {
+    lay_out(context, may_cut);
+  } else {
+    domain_ = model_;
+  }
   if (!options.size_at) symmetries_ = find_symmetries(domain_);
+  rung_.assign(domain_.cells.count(), 0);
+  why_.assign(domain_.cells.count(), {});
   for (const Domain::Cell& cell : domain_.cells) asked_.cells.push_back(cell.size);
   for (const Domain::Curve& curve : domain_.curves) asked_.curves.push_back(curve.size);
   for (const Domain::PointUse& point : domain_.points) asked_.points.push_back(point.size);
+}
+
+// Cells that are to become grids come out symmetric as they are, and stay whole. In the model too their circles are
+// turned, as the mesh will be held against it. The paper's method knows no cuts.
+void FallbackPlan::lay_out(const Context& context, bool may_cut) {
+  Rehearsal rehearsal(context);
+  const auto plan = [&](Domain& domain) {
+    if (options_.method != Method::Layout) return;
+    grids_ = plan_grids(domain, options_, [&](const Domain& turned, CellId c, const GridProposal& proposal) {
+      return rehearsal.cost(turned, c, proposal);
+    });
+  };
+  plan(model_);
+  const bool cuts = may_cut && options_.method != Method::QMorph && !options_.size_at;
+  domain_ = cuts ? cut_at_axes(model_, planned(grids_)) : model_;
+  if (is_cut()) plan(domain_);  // curves got other numbers, and parts of cells may suit
 }
 
 Recipe FallbackPlan::recipe(CellId c) const {
@@ -62,7 +78,7 @@ Recipe FallbackPlan::recipe(CellId c) const {
   Recipe recipe;
   recipe.method = options_.method == Method::Layout ? Method::QMorph : options_.method;
   recipe.may_grid = options_.method == Method::Layout && !is_changed(c);
-  if (recipe.may_grid && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
+  if (recipe.may_grid && !grids_.cells.empty() && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
   recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
   recipe.lines = options_.lines;
   recipe.keeps_thin_quads = rung(c).is_halved;
@@ -77,26 +93,31 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   for (const Trouble& t : troubles)
     next.push_back(std::max(rung_[t.cell] + 1, t.is_thin || is_beside_halved(t.cell) ? kFirstHalving : 0));
   bool advanced = false;
+  CellSet dropped;
   for (std::size_t i = 0; i < troubles.size(); ++i) {
     const CellId c = troubles[i].cell;
     if (troubles[i].is_grid) {
-      grids_.drop(c, domain_);
-      for (const Symmetry& symmetry : symmetries_) grids_.drop(symmetry.cells[c], domain_);
+      dropped.insert(c);
+      for (const Symmetry& symmetry : symmetries_) dropped.insert(symmetry.cells[c]);
       advanced = true;
       continue;
     }
     if (next[i] == std::size(kRungs)) continue;
     rung_[c] = next[i];
-    grids_.drop(c, domain_);
+    dropped.insert(c);
     if (why_[c].empty()) why_[c] = troubles[i].reason;
     advanced = true;
     for (const Symmetry& symmetry : symmetries_) {
       const CellId image = symmetry.cells[c];
       rung_[image] = std::max(rung_[image], next[i]);
-      grids_.drop(image, domain_);
+      dropped.insert(image);
       if (why_[image].empty()) why_[image] = troubles[i].reason;
     }
   }
+  // A grid that is dropped changes the counts beside it, and so may cost the next one its own: that ends here.
+  const bool is_grid = std::any_of(troubles.begin(), troubles.end(), [](const Trouble& t) { return t.is_grid; });
+  if (is_grid && ++grid_failures_ > kMostGridFailures) dropped = planned(grids_);
+  if (!dropped.empty()) grids_.drop(dropped, domain_);
   if (advanced) set_sizes();
   return advanced;
 }

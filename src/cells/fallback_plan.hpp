@@ -9,6 +9,7 @@
 #include "domain/domain.hpp"
 #include "domain/symmetry/symmetries.hpp"
 #include "mesh/work_mesh.hpp"
+#include "quadline/context.hpp"
 #include "quadline/options.hpp"
 #include "quadline/report.hpp"
 #include "stages/grid/plan_grids.hpp"
@@ -37,8 +38,11 @@ class FallbackPlan {
  public:
   /// @param model    the domain of the model.
   /// @param options  as the user gave them; must outlive this.
-  /// @param may_cut  cells that are symmetric are cut at their axes, unless a function of place gives sizes.
-  FallbackPlan(Domain model, const Options& options, bool may_cut = true);
+  /// @param context  asked whether to stop.
+  /// @param may_cut  cells that are symmetric are cut at their axes, but for Q-Morph alone, or where a function of place
+  ///                 gives sizes.
+  /// @throws Cancelled when `context` asks for it.
+  FallbackPlan(Domain model, const Options& options, const Context& context, bool may_cut = true);
 
   /// Takes the cells in trouble, and their images, a rung further; straight to halving where a quad is thin, and beside
   /// cells that are halved, as what troubles one mostly troubles the other.
@@ -75,18 +79,20 @@ class FallbackPlan {
   struct Sizes {
     std::vector<double> cells, curves, points;
   };
+  void lay_out(const Context& context, bool may_cut);
   void set_sizes();
   bool is_beside_halved(CellId c) const;
   std::string name_of(CellId c) const;
 
   Domain model_, domain_;
   const Options& options_;
-  GridPlans grids_;  ///< before `asked_`: it turns circles
+  GridPlans grids_;
   std::vector<Symmetry> symmetries_;
   Sizes asked_;  ///< of the domain as it came
   IdVector<CellId, std::size_t> rung_;
   IdVector<CellId, std::string> why_;  ///< the first reason
   std::size_t attempts_ = 1;
+  std::size_t grid_failures_ = 0;
 };
 
 }  // namespace quadline

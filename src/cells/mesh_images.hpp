@@ -6,8 +6,9 @@
 
 namespace quadline {
 
-/// Where a symmetry of the domain takes the nodes of its mesh, by the connectivity alone: from the nodes on curves,
-/// which go to their like in order, over the edges of the faces. Invalid where the mesh is not symmetric. O(n log n).
+/// Where a symmetry of the domain takes the nodes of its mesh, by the connectivity: from the nodes on curves, which
+/// go to their like in order, on whole circles by place, over the edges of the faces. Invalid where the mesh is not
+/// symmetric. O(n log n).
 IdVector<NodeId, NodeId> images_of(const WorkMesh& mesh, const Domain& domain, const Symmetry& symmetry);
 
 }  // namespace quadline

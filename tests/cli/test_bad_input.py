@@ -63,6 +63,7 @@ REFUSED = {
     "a size of zero": (plate(size=0), "/size: expected a length above 0, found the number 0"),
     "a negative size": (plate(lines=[{"path": [[1, 1], [2, 2]], "size": -1}]), "/lines/0/size: expected a length above 0, found the number -1"),
     "a denormal size": (plate(size=5e-324), "/size: the size of the model is too small beside the coordinates: give 1.1e-11 at least"),
+    "a hole in a billion quads": (plate(size=3.1e-4, holes=[{"center": [5, 3], "radius": 1}]), "about 9.7e+08 quads are expected, more than 5e+07: choose a larger size, or raise --max-quads"),
     "a billion quads": (plate(size=3.1e-4), "about 1e+09 quads are expected, more than 5e+07: choose a larger size, or raise --max-quads"),
     "no size": ({"outer": PLATE}, "the model gives no target size: give --size H"),
     "a radius of zero": (plate(holes=[circle(5, 5, 0)]), "/holes/0/radius: expected a length above 0, found the number 0"),

@@ -158,10 +158,11 @@ class Mesh(Options):
         self.assertEqual((quiet.stdout, quiet.stderr), ("", ""))
 
     def test_criteria(self):
-        plate, limits = self.put("plate.json", PLATE), self.put("limits.json", {"max_aspect": 1.5})
-        self.run_it("mesh", plate, "-o", self.path("a.msh"))
+        plate = dict(PLATE, holes=[])  # nodes on arcs stay, whatever the limits
+        limits = self.put("limits.json", {"max_aspect": 1.5})
+        self.run_it("mesh", self.put("plate.json", plate), "-o", self.path("a.msh"))
         without = self.json_of("check", self.path("a.msh"), "--criteria", limits)["criteria"]["failing"]
-        self.assertLess(self.mesh(PLATE, "--criteria", limits)["criteria"]["failing"], 2 * without / 3)  # nodes were moved
+        self.assertLess(self.mesh(plate, "--criteria", limits)["criteria"]["failing"], without / 2)  # nodes were moved
 
     def test_fall_backs(self):
         """No option, but what helps where the mesh as asked breaks the promise."""

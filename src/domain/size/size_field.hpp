@@ -38,7 +38,7 @@ class SizeField {
     return h[0] + fx * (h[1] - h[0]) + fy * (h[2] - h[0]) + fx * fy * (h[3] - h[2] - h[1] + h[0]);
   }
 
-  /// The same length everywhere. @param size  > 0, model units.
+  /// The same length everywhere, for no curves: `least_edges` has no answer. @param size  > 0, model units.
   static SizeField constant(double size);
 
   /// The least number of edges that shows the bend of a curve of the domain: 1 where it is straight.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
 #include "base/constants.hpp"
 
 namespace quadline {
@@ -14,14 +15,21 @@ constexpr std::int64_t kMostEmpty = 16, kSmall = 4096;  // squares of the lattic
 class Placer {
  public:
   Placer(const WorkMesh& mesh, const GridPlan& plan, const std::vector<NodeWalk>& walks)
-      : mesh_(mesh), plan_(plan), walks_(walks), frame_(plan.frame), places_(walks.size()) {}
+      : mesh_(mesh),
+        plan_(plan),
+        walks_(walks),
+        frame_(plan.frame),
+        is_hole_(walks.size(), false),
+        places_(walks.size()) {
+    for (const GridHole& hole : plan.holes) is_hole_[hole.walk] = true;
+  }
 
   std::optional<PlacedCell> run() {
     if (!trace_outer() || !trace_inner()) return std::nullopt;
     if (!has_room()) return std::nullopt;
     Lattice lattice(columns_, rows_, frame_.is_polar);
     for (std::size_t w = 0; w < walks_.size(); ++w)
-      if (!is_hole(w) && !lattice.put(walks_[w], places_[w])) return std::nullopt;
+      if (!is_hole_[w] && !lattice.put(walks_[w], places_[w])) return std::nullopt;
     if (!lattice.find_inside()) return std::nullopt;
     PlacedCell cell{frame_, std::move(lattice), GridMap(known_[0]), GridMap(known_[1]), {}};
     for (const GridHole& hole : plan_.holes) {
@@ -33,10 +41,6 @@ class Placer {
   }
 
  private:
-  bool is_hole(std::size_t w) const {
-    return std::any_of(plan_.holes.begin(), plan_.holes.end(), [&](const GridHole& hole) { return hole.walk == w; });
-  }
-
   bool trace_outer() {
     places_[0] = traced(walks_[0], frame_.is_polar ? 1 : plan_.direction);
     if (walks_[0].turns != (frame_.is_polar ? 0 : 4)) return false;
@@ -57,7 +61,7 @@ class Placer {
   bool trace_inner() {
     if (frame_.is_polar && !trace_ring()) return false;
     for (std::size_t w = 1; w < walks_.size(); ++w)
-      if (!is_hole(w) && !(frame_.is_polar && w == plan_.inner)) return false;
+      if (!is_hole_[w] && !(frame_.is_polar && w == plan_.inner)) return false;
     return true;
   }
 
@@ -122,6 +126,7 @@ class Placer {
   const GridPlan& plan_;
   const std::vector<NodeWalk>& walks_;
   GridFrame frame_;
+  std::vector<bool> is_hole_;  // of every walk
   std::vector<std::vector<GridPlace>> places_;
   std::array<std::vector<GridMap::Known>, 2> known_;
   int columns_ = 0, rows_ = 0;

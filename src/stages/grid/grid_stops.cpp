@@ -1,9 +1,13 @@
 #include "stages/grid/grid_stops.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <tuple>
+#include <utility>
+
+#include "base/constants.hpp"
 
 namespace quadline {
 
@@ -37,10 +41,17 @@ std::vector<Group> groups_of(const std::vector<GridStop>& stops, double together
   return groups;
 }
 
+// A sweep from low to high: a stop meets one of the other group where that ends after it begins.
 bool face_each_other(const std::vector<GridStop>& stops, const Group& a, const Group& b) {
-  for (std::size_t m = a.from; m < a.to; ++m)
-    for (std::size_t n = b.from; n < b.to; ++n)
-      if (stops[m].low < stops[n].high && stops[n].low < stops[m].high) return true;
+  std::vector<std::pair<const GridStop*, bool>> both;
+  for (const Group* group : {&a, &b})
+    for (std::size_t n = group->from; n < group->to; ++n) both.emplace_back(&stops[n], group == &b);
+  std::sort(both.begin(), both.end(), [](const auto& p, const auto& q) { return p.first->low < q.first->low; });
+  std::array<double, 2> high{-kInfinity, -kInfinity};  // of those of each group so far
+  for (const auto& [stop, is_second] : both) {
+    if (stop->low < high[is_second ? 0 : 1]) return true;
+    high[is_second] = std::max(high[is_second], stop->high);
+  }
   return false;
 }
 

@@ -1,6 +1,7 @@
 #include "stages/grid/lattice_points.hpp"
 
 #include <algorithm>
+
 #include "base/constants.hpp"
 
 namespace quadline {

@@ -36,6 +36,7 @@ class Planner {
   }
 
   GridPlans run() {
+    if (options_.size_at) return std::move(plans_);
     // Rings come last: their circles may be holes of other cells, and follow them.
     for (const bool is_ring : {false, true})
       for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
@@ -127,10 +128,13 @@ class Planner {
 
 }  // namespace
 
-void GridPlans::drop(CellId c, Domain& domain) {
-  if (cells.empty() || !cells[c]) return;
-  mark_rings(domain, c, *cells[c], false);
-  cells[c].reset();
+void GridPlans::drop(const CellSet& dropped, Domain& domain) {
+  for (std::size_t i = 0; i < cells.count(); ++i) {
+    const CellId c(i);
+    if (!cells[c] || !dropped.contains(c)) continue;
+    mark_rings(domain, c, *cells[c], false);
+    cells[c].reset();
+  }
   counts.assign(counts.count(), 0);
   for (const std::optional<GridProposal>& proposal : cells)
     if (proposal) add_wishes(*this, *proposal);

@@ -25,7 +25,7 @@ class StraightGrid {
       : domain_(domain), cell_(c), walk_(domain.cells[c].walks[0]), inner_(holes), h_(domain.cells[c].size) {}
 
   std::optional<GridProposal> propose(double quads, int variant, const Options& options) {
-    if (!find_sides()) return std::nullopt;
+    if (!find_sides() || is_too_large(options.max_quads)) return std::nullopt;
     for (const InnerWalk& inner : inner_) {
       const std::optional<HoleShape> shape = shape_of(domain_, cell_, inner, plan_.frame);
       if (!shape) return std::nullopt;
@@ -88,6 +88,18 @@ class StraightGrid {
     plan_.frame = {start(0), axis, false};
     plan_.direction = side_at(0).direction;
     return true;
+  }
+
+  // Even of a thin cell all squares of its box must be within the limit, or the lattice could not be stored.
+  bool is_too_large(double most) const {
+    Point low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+    for (std::size_t n = 0; n < walk_.size(); ++n) {
+      const Point p = plan_.frame.to_frame(start(n));
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const double columns = std::max(1.0, (high.x - low.x) / h_), rows = std::max(1.0, (high.y - low.y) / h_);
+    return columns * rows > most;
   }
 
   // The side that a curve of the walk is on.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cells/cell_meshes.hpp"
 #include "domain/arrange/arrange.hpp"
 #include "quadline/generate.hpp"
 #include "quadline/inspect.hpp"
@@ -33,6 +34,24 @@ double share_of_images(const Mesh& mesh, const Isometry& move) {
   std::size_t n = 0;
   for (const Point p : mesh.points) n += index.find(move(p)) != PlaceIndex::kNone;
   return static_cast<double>(n) / static_cast<double>(mesh.points.size());
+}
+
+// What troubles the grid of a cell troubles those of its copies: none is tried in an attempt of its own.
+TEST(CopiesOfTrouble, AllLikeBaysLoseTheirGridsAtOnce) {
+  Context context;
+  const Options options;
+  const FallbackPlan plan(arrange(bays({false, false, false, true}), {}, context), options, context);
+  const SizeField size = make_size_field(plan.domain(), options, context).scaled(0.45);
+  const CurveNodes nodes(plan.domain(), size, {}, plan.symmetries(), {}, context);  // what grids wish is not heard
+  CellCache cache(plan.domain().cells.count());
+  StageClock clock;
+  const CellMeshes cells(plan, nodes, size, cache, clock, context);
+  const std::vector<Trouble> troubles = cells.troubles();
+  ASSERT_EQ(troubles.size(), 4u);
+  for (std::size_t i = 0; i < troubles.size(); ++i) {
+    EXPECT_EQ(troubles[i].cell, CellId(i));
+    EXPECT_TRUE(troubles[i].is_grid);
+  }
 }
 
 class Copies : public testing::Test {

@@ -24,7 +24,7 @@ class Fallback : public testing::Test {
   Context context_;
   Domain domain_ = arrange(shapes::two_cells(), {}, context_);
   const Options options_;
-  FallbackPlan plan_{domain_, options_};
+  FallbackPlan plan_{domain_, options_, context_};
   CellCache cache_{domain_.cells.count()};
   StageClock clock_;
 
@@ -183,7 +183,7 @@ TEST(FallbackPlan, RecipesFollowTheOptionsAndTheRung) {
   const auto climb = [&](FallbackPlan& plan) { return plan.advance({{first, "it looks bad", {}}}); };
   for (const Triangles triangles : {Triangles::Delaunay, Triangles::Front, Triangles::Both}) {
     const Options options{.lines = LineFronts::OneSided, .triangles = triangles};
-    FallbackPlan plan(domain, options);
+    FallbackPlan plan(domain, options, context);
     const bool is_delaunay = triangles == Triangles::Delaunay;
     const Triangles asked = is_delaunay ? Triangles::Delaunay : Triangles::Front;
     const Triangles other = is_delaunay ? Triangles::Front : Triangles::Delaunay;
@@ -199,7 +199,7 @@ TEST(FallbackPlan, RecipesFollowTheOptionsAndTheRung) {
     EXPECT_EQ(plan.recipe(CellId(std::size_t{1})).triangles, asked);  // the other cell is meshed as asked
   }
   const Options options{.method = Method::Split};
-  FallbackPlan plan(domain, options);
+  FallbackPlan plan(domain, options, context);
   EXPECT_EQ(plan.recipe(first).lines, LineFronts::TwoSided);
   EXPECT_FALSE(plan.recipe(first).keeps_thin_quads);
   for (std::size_t rung = 0; rung < kFirstHalving; ++rung) climb(plan);
@@ -218,7 +218,7 @@ TEST(FallbackPlan, SizesOfCurvesAndPointsFollowThoseOfTheirCell) {
   const Domain asked = arrange(model, {}, context);
   const CellId left = troubles_at(asked, Point{0.5, 0.5}, "")[0].cell;
   const Options options;
-  FallbackPlan plan(asked, options);
+  FallbackPlan plan(asked, options, context);
   for (const double factor : {1.0, 0.7, 0.5, 1.0, 0.5, 0.25}) {  // never factors of factors
     ASSERT_TRUE(plan.advance({{left, "it looks bad", {}}}));
     const Domain& domain = plan.domain();
@@ -237,6 +237,54 @@ TEST(FallbackPlan, SizesOfCurvesAndPointsFollowThoseOfTheirCell) {
   }
 }
 
+// Four bays with holes, and unlike each other.
+class PlannedBays : public ::testing::Test {
+ protected:
+  static Model model() {
+    Model model;
+    model.size = 1;
+    model.outer.push_back({.items = {{{0, 0}}, {{24, 0}}, {{24, 24}}, {{0, 24}}}});
+    model.lines.push_back({.name = {}, .path = {.items = {{{12, 0}}, {{12, 24}}}}});
+    model.lines.push_back({.name = {}, .path = {.items = {{{0, 12}}, {{24, 12}}}}});
+    model.holes = {{.circle = Circle{{6, 6}, 1.3}},
+                   {.circle = Circle{{18, 6}, 1.9}},
+                   {.circle = Circle{{6, 18}, 2.4}},
+                   {.circle = Circle{{18, 18}, 2.9}}};
+    return model;
+  }
+  std::size_t n_planned() const {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < plan_.domain().cells.count(); ++i) n += plan_.recipe(CellId(i)).is_grid_planned();
+    return n;
+  }
+  static Trouble no_grid(std::size_t cell) {
+    return {.cell = CellId(cell), .reason = "it does not come out", .at = {}, .is_grid = true};
+  }
+
+  Context context_;
+  const Options options_;
+  FallbackPlan plan_{arrange(model(), {}, context_), options_, context_};
+};
+
+TEST_F(PlannedBays, AGridInTroubleIsDroppedAndTheCellMeshedAsAsked) {
+  ASSERT_EQ(n_planned(), 4u);
+  ASSERT_TRUE(plan_.advance({no_grid(0)}));
+  EXPECT_EQ(n_planned(), 3u);
+  EXPECT_FALSE(plan_.recipe(CellId(std::size_t{0})).is_grid_planned());
+  EXPECT_FALSE(plan_.is_changed(CellId(std::size_t{0})));
+  std::size_t n_with_rings = 0;
+  for (const Domain::Curve& curve : plan_.domain().curves) n_with_rings += curve.has_rings;
+  EXPECT_EQ(n_with_rings, 6u);
+}
+
+TEST_F(PlannedBays, AfterTwoFailuresNoGridIsPlanned) {
+  ASSERT_TRUE(plan_.advance({no_grid(0)}));
+  ASSERT_TRUE(plan_.advance({no_grid(1)}));
+  EXPECT_EQ(n_planned(), 2u);
+  ASSERT_TRUE(plan_.advance({no_grid(2)}));
+  EXPECT_EQ(n_planned(), 0u);
+}
+
 // Nine cells that take turns.
 TEST(FallbackPlan, GivesUpAfterManyAttempts) {
   Model model;
@@ -248,7 +296,7 @@ TEST(FallbackPlan, GivesUpAfterManyAttempts) {
   }
   Context context;
   const Options options;
-  FallbackPlan plan(arrange(model, {}, context), options);
+  FallbackPlan plan(arrange(model, {}, context), options, context);
   ASSERT_EQ(plan.domain().cells.count(), 9u);
   EXPECT_TRUE(plan.is_first());
   int n_advanced = 0;
@@ -285,7 +333,7 @@ TEST(FallbackChain, AThinQuadTakesItsCellStraightToHalving) {
   Context context;
   const Domain domain = arrange(shapes::near_ends(), {}, context);
   const Options options;
-  FallbackPlan plan(domain, options);
+  FallbackPlan plan(domain, options, context);
   CellCache cache(domain.cells.count());
   StageClock clock;
   const Attempt first = attempt_mesh(plan, options, cache, clock, context);

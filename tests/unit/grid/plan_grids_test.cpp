@@ -227,6 +227,20 @@ TEST(PlanGrids, NotWhereSizesWouldHaveToGrade) {
   EXPECT_FALSE(any(planned(shapes::arranged(with_point))));
 }
 
+TEST(PlanGrids, NotWhereAFunctionGivesSizes) {
+  const Domain domain = shapes::arranged(shapes::plate_model(16, 12, {{5, 6}}, 1.5));
+  ASSERT_TRUE(planned(domain).plans.cells[kCell]);
+  EXPECT_FALSE(planned(domain, free_of_charge, {.size_at = [](Point) { return 0.7; }}).plans.cells[kCell]);
+}
+
+TEST(PlanGrids, NotWhereTheLatticeWouldBeTooLarge) {
+  const Domain thin = shapes::arranged(shapes::plate_model(3e7, 0.02, {{7, 0.01}}, 0.004));
+  int n_shown = 0;
+  const auto count = [&](const Domain&, CellId, const GridProposal&) { return ++n_shown, kInfinity; };
+  planned(thin, count, {.max_quads = 1e6});
+  EXPECT_EQ(n_shown, 0);
+}
+
 TEST(PlanGrids, NotForOtherShapes) {
   Model triangle;
   triangle.size = 1;
@@ -271,7 +285,9 @@ TEST(PlanGrids, APlanThatIsDroppedLeavesNoWish) {
   ASSERT_EQ(made.domain.cells.count(), 2u);
   const CellId other(std::size_t{1});
   ASSERT_TRUE(made.plans.cells[other]);
-  made.plans.drop(kCell, made.domain);
+  CellSet dropped;
+  dropped.insert(kCell);
+  made.plans.drop(dropped, made.domain);
   EXPECT_FALSE(made.plans.cells[kCell]);
   ASSERT_TRUE(made.plans.cells[other]);
   for (const auto& walk : made.domain.cells[kCell].walks)

@@ -1,6 +1,7 @@
-#include "cells/rehearse_grid.hpp"
+#include "cells/rehearsal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -8,7 +9,6 @@
 #include "cells/accept_grid.hpp"
 #include "cells/cell_cost.hpp"
 #include "domain/size/size_field.hpp"
-#include "quadline/context.hpp"
 #include "stages/smooth/smooth.hpp"
 
 namespace quadline {
@@ -41,16 +41,45 @@ WorkMesh nodes_of(const Domain& domain, const std::vector<CountWish>& wishes) {
   return mesh;
 }
 
-}  // namespace
+// The proposal in the frame of its grid, in sizes of the cell: the same for cells that are alike.
+std::vector<std::int64_t> key_of(const Domain& domain, CellId c, const GridProposal& proposal) {
+  constexpr double kPerSize = 1e6;
+  const GridPlan& plan = proposal.plan;
+  const double per_unit = kPerSize / (plan.frame.is_polar ? 1 : domain.cells[c].size);
+  std::vector<std::int64_t> key{plan.frame.is_polar, plan.direction, plan.columns, plan.rows};
+  const auto add = [&](Point p) {
+    const Point at = plan.frame.to_frame(p);
+    for (const double x : {at.x, at.y}) key.push_back(static_cast<std::int64_t>(std::floor(per_unit * x + 0.5)));
+  };
+  key.push_back(static_cast<std::int64_t>(
+      std::floor(kPerSize * length(domain.curves[proposal.wishes[0].curve].piece) / domain.cells[c].size)));
+  for (const CountWish& wish : proposal.wishes) {
+    const CurvePiece& piece = domain.curves[wish.curve].piece;
+    key.push_back(wish.count);
+    add(piece.a);
+    add(point_at(piece, 0.5 * length(piece)));
+    add(piece.b);
+  }
+  for (const GridHole& hole : plan.holes)
+    for (const int number : {hole.columns, hole.rows, hole.rings}) key.push_back(number);
+  return key;
+}
 
-double rehearsed_cost(const Domain& domain, CellId c, const GridProposal& proposal) {
+double tried(const Domain& domain, CellId c, const GridProposal& proposal, Context& context) {
   WorkMesh mesh = nodes_of(domain, proposal.wishes);
   if (!fill_grid(mesh, domain, c, proposal.plan)) return kInfinity;
   const SizeField size = SizeField::constant(domain.cells[c].size);
-  Context alone;
-  smooth(mesh, domain, size, {.slides = false, .raises_beta = false}, alone);
+  smooth(mesh, domain, size, {.slides = false, .raises_beta = false}, context);
   if (!is_good_grid(mesh, domain, size)) return kInfinity;
   return cell_cost(mesh) / static_cast<double>(mesh.topo().face_count());
+}
+
+}  // namespace
+
+double Rehearsal::cost(const Domain& domain, CellId c, const GridProposal& proposal) {
+  const auto [known, is_new] = known_.try_emplace(key_of(domain, c, proposal), kInfinity);
+  if (is_new) known->second = tried(domain, c, proposal, quiet_);
+  return known->second;
 }
 
 }  // namespace quadline
