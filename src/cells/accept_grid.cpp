@@ -37,7 +37,8 @@ IdVector<FaceId, double> least_jacobians(const WorkMesh& mesh) {
 double shortest_round_hole(const WorkMesh& mesh, const Domain& domain) {
   double shortest = kInfinity;
   for (const Segment& s : mesh.segments())
-    if (domain.curves[s.curve].has_rings) shortest = std::min(shortest, distance(mesh.point(s.a), mesh.point(s.b)));
+    if (domain.curves[s.curve].has_rings || domain.curves[s.curve].size < kInfinity)
+      shortest = std::min(shortest, distance(mesh.point(s.a), mesh.point(s.b)));
   return shortest;
 }
 

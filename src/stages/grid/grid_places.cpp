@@ -78,6 +78,7 @@ class Placer {
     const Point outer = frame_.to_frame(mesh_.point(walks_[0].nodes[0].node));
     const Point inner = frame_.to_frame(mesh_.point(walks_[w].nodes[0].node));
     columns_ = std::max(1, static_cast<int>(std::floor((outer.x - inner.x) * rows_ / kFullTurn + 0.5)));
+    if (is_patch_on_circle(inner.x, outer.x)) ++columns_;
     move(places_[0], {columns_, 0});
     for (std::size_t n = 0; n < walks_[0].nodes.size(); ++n)
       if (places_[0][n].i == columns_)
@@ -88,6 +89,14 @@ class Placer {
     if (!rows.is_valid()) return false;
     move(places_[w], {0, static_cast<int>(std::floor(rows.to_grid(inner.y) + 0.5))});
     return true;
+  }
+
+  // Rings that reach to a circle would have to bend to it: there is a row between them where one more makes room.
+  bool is_patch_on_circle(double inner, double outer) const {
+    return std::any_of(plan_.holes.begin(), plan_.holes.end(), [&](const GridHole& hole) {
+      const int first = first_of_patch(columns_ * (frame_.to_frame(hole.at).x - inner) / (outer - inner), hole.columns);
+      return first < 1 || first + hole.columns >= columns_;
+    });
   }
 
   static void move(std::vector<GridPlace>& places, GridPlace by) {
@@ -118,9 +127,10 @@ class Placer {
     const Point middle = columns_ == plan_.columns && rows_ == plan_.rows
                              ? hole.place
                              : Point{cell.columns.to_grid(at.x), cell.rows.to_grid(at.y)};
-    const auto corner = [](double m, int n) { return static_cast<int>(std::floor(m - 0.5 * n + 0.5)); };
-    return {{corner(middle.x, hole.columns), corner(middle.y, hole.rows)}, hole.columns, hole.rows};
+    return {{first_of_patch(middle.x, hole.columns), first_of_patch(middle.y, hole.rows)}, hole.columns, hole.rows};
   }
+
+  static int first_of_patch(double middle, int n) { return static_cast<int>(std::floor(middle - 0.5 * n + 0.5)); }
 
   const WorkMesh& mesh_;
   const GridPlan& plan_;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::array<double, kProposals> kRooms{0.3, 0.3, 0.8};  // sizes that rings take across, beside the hole
 constexpr double kTwoRings = 0.35, kThreeRings = 0.175;  // a hole that takes less of its patch across gets so many
+constexpr double kWayOut = 1.15;                         // from a hole to its patch, over that to the sides
+constexpr double kMostFiner = 1.7;                       // squares of a patch for each that the hole would need
 constexpr double kAlike = 1e-3;                          // lengths that differ less are equal
 
 bool is_about(double a, double b, double whole) { return std::abs(a - b) <= kAlike * whole; }
@@ -25,9 +27,18 @@ int nearest_like(double x, int other) {
 
 }  // namespace
 
+double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk) {
+  double sum = 0;
+  for (const DirectedCurve& d : walk) {
+    const Domain::Curve& curve = domain.curves[d.curve];
+    sum += length(curve.piece) / std::min(curve.size, base_size(domain, curve));
+  }
+  return sum;
+}
+
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame) {
   const auto& walk = domain.cells[c].walks[inner.walk];
-  HoleShape shape{.walk = inner.walk};
+  HoleShape shape{.walk = inner.walk, .asked = edges_asked(domain, walk)};
   for (const DirectedCurve& d : walk) {
     shape.around += length(domain.curves[d.curve].piece);
     shape.area -= (d.reversed ? -0.5 : 0.5) * twice_area_under(domain.curves[d.curve].piece, domain.box.lo);
@@ -53,12 +64,13 @@ std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWal
     const CurvePiece& piece = domain.curves[d.curve].piece;
     const Point v = frame.to_frame(piece.b) - frame.to_frame(piece.a);
     if (!piece.is_arc() && std::min(std::abs(v.x), std::abs(v.y)) > kAlike * shape.around) return std::nullopt;
+    if (!piece.is_arc()) shape.along = std::abs(v.x) > std::abs(v.y) ? 0 : 1;
     if (piece.is_arc() && !is_about(piece.radius, shape.radius, shape.around)) return std::nullopt;
     const Point off = frame.to_frame(piece.a) - frame.to_frame(shape.center);
     shape.across[0] = std::max(shape.across[0], 2 * std::abs(off.x));
     shape.across[1] = std::max(shape.across[1], 2 * std::abs(off.y));
   }
-  if (shape.arcs == 2) shape.across[shape.across[0] > shape.across[1] ? 0 : 1] += 2 * shape.radius;
+  if (shape.arcs == 2) shape.across[shape.along] += 2 * shape.radius;
   // Else it is not the one it looks like.
   const double round = (4 - std::numbers::pi) * shape.radius * shape.radius;
   if (!is_about(shape.area, shape.across[0] * shape.across[1] - round, shape.area)) return std::nullopt;
@@ -72,13 +84,14 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
     counts.k[side] = std::max(
         2, static_cast<int>(std::floor(hole.across[side] / h + kRooms[static_cast<std::size_t>(variant)] + 0.5)));
   if (hole.is_circle()) {
-    counts.k[0] = counts.k[1] = std::max(counts.k[0], static_cast<int>(0.25 * turn));
+    const double asked = std::floor(0.25 * hole.asked + 0.5);
+    counts.k[0] = counts.k[1] = std::max({counts.k[0], static_cast<int>(0.25 * turn), static_cast<int>(asked)});
     counts.arc = static_cast<std::uint32_t>(2 * counts.k[0]);
     return counts;
   }
   const double edges = counts.edges() / hole.around;  // for each unit of length
   if (hole.arcs == 2) {
-    const std::size_t along = hole.across[0] > hole.across[1] ? 0 : 1;
+    const std::size_t along = hole.along;
     const double length = std::numbers::pi * hole.radius;
     const int arc =
         std::max(counts.k[1 - along], nearest_like(std::max(edges * length, 0.5 * turn), counts.k[1 - along]));
@@ -97,6 +110,10 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
   return counts;
 }
 
+bool is_too_fine(const HoleShape& hole, double h) {
+  return hole.asked > 4 * kMostFiner * (std::max(hole.across[0], hole.across[1]) / h + 1);
+}
+
 void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side) {
   ++counts.k[side];
   if (hole.is_circle()) {
@@ -104,13 +121,17 @@ void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side) {
     counts.arc += 2;
     return;
   }
-  const bool is_across_slot = hole.arcs == 2 && hole.across[side] < hole.across[1 - side];
+  const bool is_across_slot = hole.arcs == 2 && side != hole.along;
   ++(is_across_slot ? counts.arc : counts.straight[side]);
 }
 
 int rings_of(const HoleShape& hole, const HoleCounts& counts, double h) {
   const double share = std::min(hole.across[0] / counts.k[0], hole.across[1] / counts.k[1]) / h;
-  return share < kThreeRings ? 3 : share < kTwoRings ? 2 : 1;
+  // As many as make the quads between about square, in the mean from the hole to the sides and corners of its patch.
+  const double chord = 0.25 * std::numbers::pi * share;
+  const int k = std::min(counts.k[0], counts.k[1]);
+  const double square = kWayOut * k * (1 - share) / (1 + chord);
+  return std::max({share < kThreeRings ? 3 : share < kTwoRings ? 2 : 1, static_cast<int>(std::floor(square + 0.5))});
 }
 
 }  // namespace quadline

@@ -21,11 +21,16 @@ struct HoleShape {
   std::array<double, 2> across{};  ///< width and height, model units
   double radius = 0;               ///< of its arcs
   int arcs = 0;                    ///< 2: whole circle or slot, 4: rectangle
+  std::size_t along = 0;           ///< of a slot: its straight sides are along the rows (0), or the columns
   double area = 0;
   double around = 0;  ///< length of the walk
+  double asked = 0;   ///< edges round it by the sizes of its curves and of the cells beside them
 
   bool is_circle() const { return across[0] == across[1] && arcs == 2; }
 };
+
+/// Edges round a walk by the sizes of its curves and of the cells beside them.
+double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk);
 
 /// Empty where the walk is none of these.
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame);
@@ -38,6 +43,9 @@ struct HoleCounts {
 
   int edges() const { return 2 * (k[0] + k[1]); }
 };
+
+/// Its curves ask for so many edges that no grid of size h can be round it: the sizes must grade.
+bool is_too_fine(const HoleShape& hole, double h);
 
 /// One column (side 0) or row more, a circle's both, with the edges that this asks for.
 void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side);

@@ -57,11 +57,13 @@ class Planner {
     const auto is_less = [&](CellId other) {
       return other.valid() && domain_.cells[other].size < kSameSize * cell.size;
     };
-    for (const auto& curves : cell.walks)
+    for (const auto& curves : cell.walks) {
+      if (circles_.find(domain_, curves)) continue;  // rings grade
       for (const DirectedCurve& d : curves) {
         const Domain::Curve& curve = domain_.curves[d.curve];
         if (curve.size < kSameSize * cell.size || is_less(curve.left) || is_less(curve.right)) return false;
       }
+    }
     return true;
   }
 
@@ -75,10 +77,10 @@ class Planner {
   void plan(CellId c, const std::optional<WholeCircle>& outer, const std::vector<InnerWalk>& holes) {
     std::optional<GridProposal> best;
     double least = kInfinity;
-    for (int variant = 0; variant < (outer ? 1 : kProposals); ++variant) {
-      std::optional<GridProposal> proposal = outer
-                                                 ? propose_ring(domain_, c, *outer, holes, given(walk(c, 0)), options_)
-                                                 : propose_straight(domain_, c, holes, variant, options_);
+    for (int variant = 0; variant < kProposals && !(outer && best); ++variant) {
+      std::optional<GridProposal> proposal =
+          outer ? propose_ring(domain_, c, *outer, holes, variant, given(walk(c, 0)), options_)
+                : propose_straight(domain_, c, holes, variant, options_);
       if (!proposal) continue;
       const std::vector<GridProposal::Turn> back = turn(c, proposal->turns);
       mark_rings(domain_, c, *proposal, true);

@@ -53,8 +53,8 @@ struct GivenCircle {
 /// For the ring between two concentric circles, with round holes in it.
 /// @param given  of the outer circle, if another grid has it as a hole.
 std::optional<GridProposal> propose_ring(const Domain& domain, CellId c, const WholeCircle& outer,
-                                         const std::vector<InnerWalk>& holes, const std::optional<GivenCircle>& given,
-                                         const Options& options);
+                                         const std::vector<InnerWalk>& holes, int variant,
+                                         const std::optional<GivenCircle>& given, const Options& options);
 
 /// Area of a cell over that of a square of its size: how many quads it asks for.
 double quads_asked(const Domain& domain, CellId c);

@@ -1,6 +1,7 @@
 // The ring between two concentric circles: rays and circles, whose quads are squares where the radii grow by a factor
 // from circle to circle.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/constants.hpp"
@@ -17,18 +18,33 @@ namespace {
 constexpr double kConcentric = 1e-6;   // of the radius
 constexpr double kLargestRatio = 3.5;  // of the radii: edges would get too unequal
 constexpr double kTogether = 0.15;     // rows: holes so near get one ray
+constexpr double kFiner = 1.01;        // edges over those that the size of the cell asks for
+constexpr double kMostRays = 6;        // over those that the quads want
 constexpr int kLeastRays = 8;
+constexpr std::array<double, kProposals> kDenser{1, 1.12, 1.25};
 constexpr double kDensities[] = {1, 1.06, 0.94, 1.12, 0.88, 1.18, 1.25};  // tried in turn
 
 class RingGrid {
  public:
-  RingGrid(const WholeCircle& outer, const InnerWalk& inner, const std::vector<InnerWalk>& others)
+  RingGrid(const Domain& domain, CellId c, const WholeCircle& outer, const InnerWalk& inner,
+           const std::vector<InnerWalk>& others)
       : outer_(outer), ratio_(outer.radius / inner.circle->radius) {
+    const auto& walks = domain.cells[c].walks;
+    for (const auto& [walk, radius] :
+         {std::pair(std::size_t{0}, outer.radius), std::pair(inner.walk, inner.circle->radius)})
+      if (const double edges = edges_asked(domain, walks[walk]);
+          edges > kFiner * kFullTurn * radius / domain.cells[c].size)
+        asked_ = std::max(asked_, edges);
     plan_.frame = {outer.center, {1, 0}, true};
     plan_.inner = inner.walk;
     for (const InnerWalk& other : others) {
       const double r = other.circle->radius;
-      holes_.push_back({other.walk, other.circle->center, {2 * r, 2 * r}, r, 2});
+      holes_.push_back({.walk = other.walk,
+                        .center = other.circle->center,
+                        .across = {2 * r, 2 * r},
+                        .radius = r,
+                        .arcs = 2,
+                        .asked = edges_asked(domain, walks[other.walk])});
     }
     if (!holes_.empty()) plan_.frame.axis = unit(holes_[0].center - outer.center);
     // From the first on, which is at 0, whatever rounding makes of its angle.
@@ -39,10 +55,12 @@ class RingGrid {
 
   // Rays: for the quads that are asked for, or as the gaps between the holes round to. False where the two circles
   // cannot have so many in two equal arcs of an even number each.
-  bool count_rays(double quads, const std::optional<GivenCircle>& given, const Options& options) {
-    const double wanted = std::sqrt(kFullTurn * quads / logarithm(ratio_));
+  bool count_rays(double quads, int variant, const std::optional<GivenCircle>& given, const Options& options) {
+    const double by_area = std::sqrt(kFullTurn * quads / logarithm(ratio_)), wanted = std::max(asked_, by_area);
+    if (wanted > kMostRays * by_area) return false;
     start_ = given ? given->start : plan_.frame.axis;
     if (holes_.empty()) {
+      if (variant > 0) return false;
       rays_ = given ? static_cast<int>(given->rays)
                     : std::max(kLeastRays, 4 * static_cast<int>(std::floor(0.25 * wanted + 0.5)));
       return true;
@@ -50,7 +68,7 @@ class RingGrid {
     if (given) return false;
     for (const double density : kDensities) {
       plan_.holes.clear();
-      rays_ = place_holes(density * wanted, options);
+      rays_ = place_holes(density * kDenser[static_cast<std::size_t>(variant)] * wanted, options);
       if (rays_ % 4 == 0 && rays_ >= kLeastRays) return true;
     }
     return false;
@@ -74,13 +92,15 @@ class RingGrid {
  private:
   static Point unit(Point v) { return (1 / norm(v)) * v; }
 
-  // Returns how many rays there are. The first hole has one in its middle, or two beside it.
+  // Returns how many rays there are. The first hole has one in its middle, or two beside it. None where a hole asks for
+  // too many.
   int place_holes(double wanted, const Options& options) {
     std::vector<GridStop> stops;
     for (const HoleShape& hole : holes_) {
       const double spacing = distance(hole.center, outer_.center) * kFullTurn / wanted;
       const HoleCounts counts = counts_of(hole, spacing, 0, options);
       stops.push_back({stops.empty() ? 0 : plan_.frame.to_frame(hole.center).y, counts.k[1], 0, 1});
+      if (is_too_fine(hole, spacing)) return 0;
       plan_.holes.push_back({hole.walk, counts.k[0], counts.k[1], rings_of(hole, counts, spacing), hole.center});
     }
     GridStop again = stops.front();
@@ -94,6 +114,7 @@ class RingGrid {
 
   WholeCircle outer_;
   double ratio_;
+  double asked_ = 0;              // rays, by circles that are finer than the cell
   std::vector<HoleShape> holes_;  // by angle
   GridPlan plan_;
   Point start_{};
@@ -103,8 +124,8 @@ class RingGrid {
 }  // namespace
 
 std::optional<GridProposal> propose_ring(const Domain& domain, CellId c, const WholeCircle& outer,
-                                         const std::vector<InnerWalk>& holes, const std::optional<GivenCircle>& given,
-                                         const Options& options) {
+                                         const std::vector<InnerWalk>& holes, int variant,
+                                         const std::optional<GivenCircle>& given, const Options& options) {
   std::optional<InnerWalk> inner;
   std::vector<InnerWalk> others;
   for (const InnerWalk& hole : holes) {
@@ -115,8 +136,8 @@ std::optional<GridProposal> propose_ring(const Domain& domain, CellId c, const W
       others.push_back(hole);
   }
   if (!inner || outer.radius > kLargestRatio * inner->circle->radius) return std::nullopt;
-  RingGrid grid(outer, *inner, others);
-  if (!grid.count_rays(quads_asked(domain, c), given, options)) return std::nullopt;
+  RingGrid grid(domain, c, outer, *inner, others);
+  if (!grid.count_rays(quads_asked(domain, c), variant, given, options)) return std::nullopt;
   return grid.proposal(domain, c);
 }
 

@@ -28,7 +28,7 @@ class StraightGrid {
     if (!find_sides() || is_too_large(options.max_quads)) return std::nullopt;
     for (const InnerWalk& inner : inner_) {
       const std::optional<HoleShape> shape = shape_of(domain_, cell_, inner, plan_.frame);
-      if (!shape) return std::nullopt;
+      if (!shape || is_too_fine(*shape, h_)) return std::nullopt;
       holes_.push_back({*shape, counts_of(*shape, h_, variant, options)});
     }
     make_parities_alike();
@@ -40,6 +40,8 @@ class StraightGrid {
     plan_.columns = static_cast<int>(stops_[0].back().index);
     plan_.rows = static_cast<int>(stops_[1].back().index);
     add_holes();
+    if (std::any_of(plan_.holes.begin(), plan_.holes.end(), [&](const GridHole& hole) { return is_pressed(hole); }))
+      return std::nullopt;
     wish_sides();
     return GridProposal{std::move(plan_), std::move(wishes_), std::move(turns_)};
   }
@@ -133,12 +135,13 @@ class StraightGrid {
     return false;
   }
 
-  // Squares for each unit of length, such that the grid has the quads that are asked for: patches and rings count.
+  // Squares for each unit of length, such that the grid has the quads that are asked for: patches and their first rings
+  // count. More rings come with small holes, which ask for more quads whatever is round them.
   double density(double quads) const {
     double full = quads;
     for (const Hole& hole : holes_) {
       full += hole.shape.area / (h_ * h_);
-      quads -= hole.counts.edges() * rings_of(hole.shape, hole.counts, h_) - hole.counts.k[0] * hole.counts.k[1];
+      quads -= hole.counts.edges() - hole.counts.k[0] * hole.counts.k[1];
     }
     return std::max(kSparsest, std::sqrt(std::max(quads, 0.0) / full)) / h_;
   }
@@ -180,6 +183,11 @@ class StraightGrid {
       for (const DirectedCurve& d : domain_.cells[cell_].walks[hole.shape.walk]) wish(hole, d.curve);
       if (hole.shape.is_circle()) turns_.push_back({hole.shape.walk, plan_.frame.axis + left_normal(plan_.frame.axis)});
     }
+  }
+
+  // One ring from wall to wall has nothing to give way.
+  bool is_pressed(const GridHole& hole) const {
+    return hole.rings == 1 && (hole.columns >= plan_.columns || hole.rows >= plan_.rows);
   }
 
   void wish(const Hole& hole, CurveId c) {

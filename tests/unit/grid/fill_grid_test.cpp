@@ -336,5 +336,29 @@ TEST(FillRing, HolesInARingHaveRingsToo) {
   }
 }
 
+// Without a row beside it a patch would touch the circle: one circle more makes room.
+TEST(FillRing, ThereIsARowBetweenAPatchAndTheCircles) {
+  const Point at{0, 1.5};
+  const double r = 0.1;
+  const Point way = r * std::sqrt(0.5) * Point{1, 1}, side = left_normal(way);
+  const Domain domain = shapes::Builder({{2, 0}, {-2, 0}, {1, 0}, {-1, 0}, at + way, at - way},
+                                        {{0, 1, Point{0, 2}},
+                                         {1, 0, Point{0, -2}},
+                                         {2, 3, Point{0, 1}},
+                                         {3, 2, Point{0, -1}},
+                                         {4, 5, at + side},
+                                         {5, 4, at - side}},
+                                        0.3)
+                            .build({{0, 0}, at});
+  GridPlan plan = ring_plan();
+  const auto& walks = domain.cells[kCell].walks;
+  const std::size_t hole = walks[1][0].curve.value >= 4 ? 1 : 2;
+  plan.inner = 3 - hole;
+  plan.holes = {{.walk = hole, .columns = 2, .rows = 2, .rings = 1, .at = at}};
+  WorkMesh mesh = shapes::nodes_on(domain, {12, 12, 12, 12, 4, 4});
+  ASSERT_TRUE(fill_grid(mesh, domain, kCell, plan));  // 24 rays: ln 2 / (2 pi / 24) = 2.6 circles, and one more
+  expect_filled(mesh, 4 * 24 - 4 + 8);
+}
+
 }  // namespace
 }  // namespace quadline

@@ -138,6 +138,19 @@ TEST(PlanGrids, AFlangeOfAnyNumberOfBoltsHasRaysForTwoEvenArcs) {
   }
 }
 
+// Denser ones are asked for where the first will not do, and only there.
+TEST(PlanGrids, TheFirstFlangeThatWillDoIsTaken) {
+  const Domain flange = shapes::arranged(shapes::flange_model(8));
+  std::vector<std::uint32_t> rays;
+  const auto refuse_first = [&](const Domain&, CellId, const GridProposal& proposal) {
+    rays.push_back(proposal.wishes[0].count);
+    return rays.size() == 1 ? kInfinity : 0;
+  };
+  ASSERT_TRUE(planned(flange, refuse_first).plans.cells[kCell]);
+  ASSERT_EQ(rays.size(), 2u);
+  EXPECT_GT(rays[1], rays[0]);
+}
+
 TEST(PlanGrids, ARingWithoutHolesIsOne) {
   const Planned made = planned(shapes::arranged(shapes::flange_model(0)));
   ASSERT_TRUE(made.plans.cells[kCell]);
@@ -160,6 +173,76 @@ TEST(PlanGrids, SmallHolesHaveMoreRings) {
   EXPECT_EQ(rings(1.5), 1);
   EXPECT_EQ(rings(0.3), 2);
   EXPECT_EQ(rings(0.1), 3);
+}
+
+// Washers are circles round the holes whose edges are finer than those of the plate.
+TEST(PlanGrids, AFinerCircleHasThePatchThatItsEdgesNeed) {
+  Model model = shapes::plate_model(16, 12, {}, 0);
+  model.lines.push_back(
+      {.name = "washer", .path = {.circle = Circle{{8, 6}, 1.5}}, .size = 2 * std::numbers::pi * 1.5 / 24});
+  model.holes.push_back({.circle = Circle{{8, 6}, 0.8}});
+  const Planned made = planned(shapes::arranged(model));
+  const Domain& domain = made.domain;
+  std::size_t rings = 0;
+  for (std::size_t i = 0; i < domain.cells.count(); ++i) {
+    ASSERT_TRUE(made.plans.cells[CellId(i)]) << i;
+    const GridPlan& plan = made.plans.cells[CellId(i)]->plan;
+    for (const DirectedCurve& d : domain.cells[CellId(i)].walks[1]) EXPECT_EQ(made.count(d), 12u);
+    if (plan.frame.is_polar) {
+      ++rings;
+      continue;
+    }
+    EXPECT_EQ(plan.holes[0].columns, 6);
+    EXPECT_EQ(plan.holes[0].rows, 6);
+    EXPECT_EQ(plan.holes[0].rings, 2);  // as wide as they are long, in the mean
+  }
+  EXPECT_EQ(rings, 1u);
+}
+
+TEST(PlanGrids, ACircleThatIsTooFineHasNoPatch) {
+  Model model = shapes::plate_model(16, 12, {}, 0);
+  model.lines.push_back({.name = "washer", .path = {.circle = Circle{{8, 6}, 1.5}}, .size = 1e-4});
+  model.holes.push_back({.circle = Circle{{8, 6}, 0.1}});
+  int n_shown = 0;
+  planned(shapes::arranged(model), [&](const Domain&, CellId, const GridProposal&) { return ++n_shown, kInfinity; });
+  EXPECT_EQ(n_shown, 0);
+}
+
+// A slot may be wider than its straight sides are long.
+TEST(PlanGrids, AShortSlotHasAPatch) {
+  for (const bool is_level : {true, false}) {
+    Model model = shapes::plate_model(16, 16, {}, 0);
+    const auto at = [&](double along, double across) {
+      return is_level ? Point{8 + along, 8 + across} : Point{8 - across, 8 + along};
+    };
+    Path slot{
+        .items = {{at(-1, -1.5)}, {at(1, -1.5)}, {at(1, 1.5), at(2.5, 0)}, {at(-1, 1.5)}, {at(-1, -1.5), at(-2.5, 0)}}};
+    model.holes.push_back(slot);
+    const Planned made = planned(shapes::arranged(model));
+    ASSERT_TRUE(made.plans.cells[kCell]) << is_level;
+    const GridHole& hole = made.plan().holes.at(0);
+    EXPECT_EQ(hole.columns > hole.rows, is_level);
+    WorkMesh mesh = shapes::nodes_on(made.domain, made.plans.counts.raw());
+    EXPECT_TRUE(fill_grid(mesh, made.domain, kCell, made.plan()));
+  }
+}
+
+// Only where more than one ring can give way may a patch reach from wall to wall.
+TEST(PlanGrids, NoSingleRingReachesFromWallToWall) {
+  EXPECT_FALSE(planned(shapes::arranged(shapes::plate_model(12, 3, {{6, 1.5}}, 1))).plans.cells[kCell]);
+  const Planned small = planned(shapes::arranged(shapes::plate_model(12, 2, {{6, 1}}, 0.2)));
+  ASSERT_TRUE(small.plans.cells[kCell]);
+  EXPECT_EQ(small.plan().holes.at(0).rows, small.plan().rows);
+  EXPECT_GT(small.plan().holes.at(0).rings, 1);
+}
+
+// The rings beyond the first come with the hole: the plate keeps its size.
+TEST(PlanGrids, SmallHolesDoNotThinOutThePlate) {
+  const Planned made = planned(shapes::arranged(shapes::plate_model(6, 10, {{3, 1}, {3, 9}}, 0.15)));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  EXPECT_EQ(made.plan().holes[0].rings, 3);
+  EXPECT_EQ(made.plan().columns, 6);
+  EXPECT_GE(made.plan().rows, 9);  // 10 by the size, less what the first rings take
 }
 
 TEST(PlanGrids, TakesTheProposalThatCostsLeast) {
