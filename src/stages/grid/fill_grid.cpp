@@ -49,6 +49,9 @@ class Filler {
       for (int i = 0; i <= lattice_.columns(); ++i)
         if (const GridPlace p{i, j}; !lattice_.node(p).valid() && lattice_.is_used(p))
           lattice_.node(p) = add_node(places.at(p));
+    for (const PlacedHole& hole : cell_.holes)  // between two patches there may be no square
+      for (const GridPlace p : rim_places(hole.patch))
+        if (!lattice_.node(p).valid()) lattice_.node(p) = add_node(places.at(p));
   }
 
   void add_quads() {
@@ -61,14 +64,20 @@ class Filler {
   }
 
   // The rim of a patch, counter-clockwise from its corner of least i and j.
-  std::vector<NodeId> rim_of(const Patch& patch) const {
-    std::vector<NodeId> rim;
+  static std::vector<GridPlace> rim_places(const Patch& patch) {
+    std::vector<GridPlace> rim;
     const auto [i, j] = patch.corner;
     const int columns = patch.columns, rows = patch.rows;
-    for (int n = 0; n < columns; ++n) rim.push_back(lattice_.node({i + n, j}));
-    for (int n = 0; n < rows; ++n) rim.push_back(lattice_.node({i + columns, j + n}));
-    for (int n = 0; n < columns; ++n) rim.push_back(lattice_.node({i + columns - n, j + rows}));
-    for (int n = 0; n < rows; ++n) rim.push_back(lattice_.node({i, j + rows - n}));
+    for (int n = 0; n < columns; ++n) rim.push_back({i + n, j});
+    for (int n = 0; n < rows; ++n) rim.push_back({i + columns, j + n});
+    for (int n = 0; n < columns; ++n) rim.push_back({i + columns - n, j + rows});
+    for (int n = 0; n < rows; ++n) rim.push_back({i, j + rows - n});
+    return rim;
+  }
+
+  std::vector<NodeId> rim_of(const Patch& patch) const {
+    std::vector<NodeId> rim;
+    for (const GridPlace p : rim_places(patch)) rim.push_back(lattice_.node(p));
     return rim;
   }
 

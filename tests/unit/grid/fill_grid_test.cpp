@@ -248,6 +248,31 @@ TEST(FillGrid, HolesThatDoNotFitAreRefused) {
   expect_refused(domain, washer.counts(), aside);
 }
 
+// Two patches side by side share the nodes of their common side, between which no square is left.
+TEST(FillGrid, PatchesMayShareASide) {
+  const auto hole_at = [](Point at) {
+    return GridHole{.walk = at.x < 4 ? 1u : 2u, .columns = 4, .rows = 4, .rings = 1, .at = at, .place = at};
+  };
+  std::vector<Point> points{{0, 0}, {8, 0}, {8, 4}, {0, 4}};
+  std::vector<shapes::Link> links{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const std::vector<Point> centers{{2, 2}, {6, 2}};
+  for (const Point at : centers) {
+    const Point way = std::sqrt(0.5) * Point{1, 1}, side = left_normal(way);
+    const std::size_t n = points.size();
+    points.push_back(at + way);
+    points.push_back(at - way);
+    links.push_back({n, n + 1, at + side});
+    links.push_back({n + 1, n, at - side});
+  }
+  const Domain domain = shapes::Builder(points, links, 1).build(centers);
+  std::vector<GridHole> holes{hole_at({2, 2}), hole_at({6, 2})};
+  if (domain.cells[kCell].walks[1][0].curve.value >= 6) std::swap(holes[0].walk, holes[1].walk);
+  WorkMesh mesh = shapes::nodes_on(domain, {8, 4, 8, 4, 8, 8, 8, 8});
+  ASSERT_TRUE(fill_grid(mesh, domain, kCell, {.columns = 8, .rows = 4, .holes = holes}));
+  expect_filled(mesh, 32);
+  EXPECT_TRUE(shapes::irregular_valences(mesh).empty());
+}
+
 TEST(FillGrid, PatchesThatOverlapAreRefused) {
   const Domain domain = shapes::arranged(shapes::plate_model(20, 10, {{8, 5}, {11, 5}}, 1));
   ASSERT_EQ(domain.curves.count(), 8u);
