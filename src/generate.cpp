@@ -8,6 +8,7 @@
 #include "cells/attempt.hpp"
 #include "cells/cell_meshes.hpp"
 #include "cells/flatten.hpp"
+#include "cells/missed_edges.hpp"
 #include "cells/node_orbits.hpp"
 #include "cells/quad_limit.hpp"
 #include "domain/arrange/arrange.hpp"
@@ -66,6 +67,7 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
   } else {
     result.edge_sizes = edge_sizes(result.mesh, size);
     result.report.findings = plan.findings(mesh);
+    append_missed_edges(domain, result.mesh, result.report.findings);
   }
   return attempt;
 }

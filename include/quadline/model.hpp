@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +15,19 @@ struct PathItem {
   std::optional<Point> via{};  ///< a place on the arc between its ends, model units; empty: a straight line
 };
 
-/// A whole circle.
+/// A whole circle: a hole, an outer loop or a closed line.
+///
+/// `rings` rings of quads may lie round a hole or a line, with nodes on common rays; where they have no room, those
+/// that have are made, and a Finding says why.
 struct Circle {
   Point center;       ///< model units
   double radius = 0;  ///< model units, > 0
+  std::optional<std::uint32_t>
+      edges{};  ///< number of element edges round it; even, kLeastCircleEdges to kMostCircleEdges
+  std::optional<std::uint32_t> rings{};  ///< 1 to kMostRings; empty: one where `ring_width` is given, else none
+  std::optional<double> ring_width{};    ///< of each ring, model units, > 0; empty: the length of an edge round it
 };
+inline constexpr std::uint32_t kLeastCircleEdges = 4, kMostCircleEdges = 1'000'000, kMostRings = 100;
 
 /// A chain of straight lines and circular arcs, or a whole circle.
 ///

@@ -1,6 +1,7 @@
 // Checked by hand rather than against schema/model.schema.json: so that each message can say what to do.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -149,12 +150,42 @@ class Reader {
     return out;
   }
 
+  /// A whole number from `least` to `most`, a multiple of `step`.
+  std::optional<std::uint32_t> optional_count(const Spot& object, std::string_view key, std::uint32_t least,
+                                              std::uint32_t most, std::uint32_t step) const {
+    std::optional<std::uint32_t> out;
+    with(object, key, [&](const Spot& at) {
+      const double given = number(at);
+      if (!(given >= least && given <= most && std::fmod(given, step) == 0))
+        fail(at, std::string("expected ") + (step == 2 ? "an even" : "a whole") + " number from " +
+                     std::to_string(least) + " to " + std::to_string(most) + ", found " + found(at.value));
+      out = static_cast<std::uint32_t>(given);
+    });
+    return out;
+  }
+
   Circle circle(const Spot& at) const {
-    expect_keys(at, {"center", "radius"});
+    if (at.value.contains("path"))
+      refuse(at, {"edges", "rings", "ring_width"}, "only a circle {\"center\", \"radius\"} has this key: take it out");
+    expect_keys(at, {"center", "radius", "edges", "rings", "ring_width"});
     const Point center = point(at, "center");
     const auto radius = optional_length(at, "radius");
     if (!radius) fail(at, "'radius' is missing");
-    return {center, *radius};
+    return {.center = center,
+            .radius = *radius,
+            .edges = optional_count(at, "edges", kLeastCircleEdges, kMostCircleEdges, 2),
+            .rings = optional_count(at, "rings", 1, kMostRings, 1),
+            .ring_width = optional_length(at, "ring_width")};
+  }
+
+  /// An outer loop has nothing outside that rings could fill.
+  Path outer_loop(const Spot& at) const {
+    refuse(at, {"rings", "ring_width"}, "rings lie round holes and round lines: take it out");
+    return path(at);
+  }
+
+  void refuse(const Spot& object, std::initializer_list<std::string_view> keys, const char* why) const {
+    for (const std::string_view key : keys) with(object, key, [&](const Spot& at) { fail(at, why); });
   }
 
   PathItem item(const Spot& at) const {
@@ -185,14 +216,15 @@ class Reader {
              (value.is_array() && !value.empty() && (value[0].is_array() || value[0].is_object()));
     };
     if (at.value.is_array() && at.value.empty()) fail(at, "expected a loop, or a list of loops, found an empty list");
-    if (!at.value.is_array() || !is_loop(at.value[0])) return {path(at)};
+    if (!at.value.is_array() || !is_loop(at.value[0])) return {outer_loop(at)};
     std::vector<Path> out;
-    each_of(at, [&](const Spot& loop) { out.push_back(path(loop)); });
+    each_of(at, [&](const Spot& loop) { out.push_back(outer_loop(loop)); });
     return out;
   }
 
   Line line(const Spot& at) const {
     expect_object(at, "a line");
+    refuse(at, {"edges", "rings", "ring_width"}, "this key belongs to the circle: move it into 'path'");
     expect_keys(at, {"name", "path", "size"});
     if (!at.value.contains("path")) fail(at, "'path' is missing");
     Line out{text(at, "name"), {}, optional_length(at, "size")};

@@ -40,6 +40,15 @@ CellSet planned(const GridPlans& plans) {
   return cells;
 }
 
+// An axis would cross the circles of a washer where their rays need not be.
+void insert_washers(const Domain& domain, CellSet& cells) {
+  for (const Domain::Washer& washer : domain.washers)
+    for (const std::vector<DirectedCurve>& circle : washer.circles)
+      for (const DirectedCurve& d : circle)
+        for (const CellId c : {domain.curves[d.curve].left, domain.curves[d.curve].right})
+          if (c.valid()) cells.insert(c);
+}
+
 }  // namespace
 
 FallbackPlan::FallbackPlan(Domain model, const Options& options, const Context& context, bool may_cut)
@@ -69,20 +78,23 @@ void FallbackPlan::lay_out(const Context& context, bool may_cut) {
   };
   plan(model_);
   const bool cuts = may_cut && options_.method != Method::QMorph && !options_.size_at;
-  domain_ = cuts ? cut_at_axes(model_, planned(grids_)) : model_;
+  CellSet whole = planned(grids_);
+  insert_washers(model_, whole);
+  domain_ = cuts ? cut_at_axes(model_, whole) : model_;
   if (is_cut()) plan(domain_);  // curves got other numbers, and parts of cells may suit
 }
 
 Recipe FallbackPlan::recipe(CellId c) const {
   const bool is_front = options_.triangles != Triangles::Delaunay;
   Recipe recipe;
-  recipe.method = options_.method == Method::Layout ? Method::QMorph : options_.method;
-  recipe.may_grid = options_.method == Method::Layout && !is_changed(c);
+  const bool is_ring = domain_.cells[c].is_ring;  // a row of quads at once; where that fails Q-Morph's
+  recipe.method = is_ring || options_.method == Method::Layout ? Method::QMorph : options_.method;
+  recipe.may_grid = options_.method == Method::Layout && !is_changed(c) && !is_ring;
   if (recipe.may_grid && !grids_.cells.empty() && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
   recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
   recipe.lines = options_.lines;
   recipe.keeps_thin_quads = rung(c).is_halved;
-  if (rung(c).is_halved && recipe.method == Method::QMorph) recipe.method = Method::Merge;
+  if (rung(c).is_halved && recipe.method == Method::QMorph && !is_ring) recipe.method = Method::Merge;
   recipe.may_retry = recipe.method == Method::QMorph && options_.triangles == Triangles::Both && !is_changed(c);
   return recipe;
 }

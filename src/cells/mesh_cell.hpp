@@ -73,7 +73,7 @@ struct CellResult {
 };
 
 /// Meshes one cell, from the nodes on its curves to clean quads: triangles, field points, Q-Morph (or pairs, and
-/// halving), clean-up; then the same with other triangles, where they may do better.
+/// halving), clean-up; then the same with other triangles, where they may do better. A ring is a row of quads at once.
 ///
 /// Cells do not depend on each other: many can be meshed at once.
 /// @param context  told how much of the cell is done, 0..1, whatever the stage.

@@ -5,6 +5,7 @@
 #include "domain/corners.hpp"
 #include "domain/expected_quads.hpp"
 #include "domain/size/size_field.hpp"
+#include "inspect/fill_report.hpp"
 #include "quadline/inspect.hpp"
 
 namespace quadline {
@@ -31,8 +32,8 @@ ModelFacts describe(const Model& model, const Options& options, Context& context
           .tolerance = domain.tolerance,
           .low = domain.box.lo,
           .high = domain.box.hi,
-          .n_cells = domain.cells.count(),
-          .n_curves = domain.curves.count(),
+          .n_cells = cell_count(domain),
+          .n_curves = curve_count(domain),
           .n_vertices = domain.vertices.count(),
           .expected = estimate_of(domain, options, context),
           .findings = std::move(domain.findings),

@@ -23,6 +23,9 @@ RIGHT = [
     {"outer": SQUARE, "lines": [{"path": ARC}, {"name": "a", "path": CIRCLE, "size": 0.1, "x-id": 7}]},
     {"outer": SQUARE, "points": [{"at": [1, 1]}], "regions": [{"name": "r", "at": [2, 2], "size": 0.5}]},
 ]
+RIGHT += [{"outer": SQUARE, "holes": [dict(CIRCLE, **keys)], "lines": [{"path": dict(CIRCLE, **keys)}]}
+          for keys in ({"edges": 4}, {"edges": 24.0, "rings": 2, "ring_width": 0.1}, {"rings": 100}, {"ring_width": 0.1})]
+RIGHT += [{"outer": dict(CIRCLE, edges=24)}]
 WRONG = [
     [],
     {},
@@ -46,6 +49,18 @@ WRONG = [
     {"outer": SQUARE, "points": [{"name": "a"}]},
     {"outer": SQUARE, "points": [{"at": [1]}]},
     {"outer": SQUARE, "regions": [{"at": [1, True]}]},
+]
+
+WRONG += [{"outer": SQUARE, "holes": [dict(CIRCLE, **keys)]}
+          for keys in ({"edges": 3}, {"edges": 23}, {"edges": 2}, {"edges": 0}, {"edges": -8}, {"edges": 24.5},
+                       {"edges": 1000002}, {"edges": 1e300}, {"edges": "24"}, {"edges": None}, {"rings": 0}, {"rings": -1},
+                       {"rings": 1.5}, {"rings": 101}, {"rings": [2]}, {"ring_width": 0}, {"ring_width": -9},
+                       {"ring_width": "9"}, {"ring": 2})]
+WRONG += [
+    {"outer": dict(CIRCLE, rings=1)},
+    {"outer": [SQUARE, dict(CIRCLE, ring_width=0.1)]},
+    {"outer": SQUARE, "holes": [{"path": ARC, "rings": 2}]},
+    {"outer": SQUARE, "lines": [{"path": CIRCLE, "rings": 2}]},
 ]
 
 RIGHT_CRITERIA = [

@@ -10,8 +10,16 @@ using Json = nlohmann::ordered_json;
 
 Json json(Point p) { return Json::array({p.x, p.y}); }
 
+Json json(const Circle& circle) {
+  Json out{{"center", json(circle.center)}, {"radius", circle.radius}};
+  if (circle.edges) out["edges"] = *circle.edges;
+  if (circle.rings) out["rings"] = *circle.rings;
+  if (circle.ring_width) out["ring_width"] = *circle.ring_width;
+  return out;
+}
+
 Json json(const Path& path) {
-  if (path.circle) return {{"center", json(path.circle->center)}, {"radius", path.circle->radius}};
+  if (path.circle) return json(*path.circle);
   Json out = Json::array();
   for (const PathItem& item : path.items)
     out.push_back(item.via ? Json{{"to", json(item.to)}, {"via", json(*item.via)}} : json(item.to));

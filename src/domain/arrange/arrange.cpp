@@ -8,6 +8,7 @@ namespace quadline {
 Domain arrange(const Model& model, const Options& options, Context& context) {
   context.progress("arrange", 0.0);
   arrangement::Work work = arrangement::read_input(model, options);
+  arrangement::add_rings(work, options);
   arrangement::resolve(work, context);
   context.progress("arrange", 0.7);
   arrangement::Subdivision parts = arrangement::subdivide(work);

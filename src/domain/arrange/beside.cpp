@@ -30,8 +30,11 @@ class BesideFinder {
   void find(const std::set<PathPair>& told, std::vector<Finding>& findings) {
     for (std::size_t i = 0; i < domain_.curves.count(); ++i) {
       const CurveId a(i);
+      if (domain_.curves[a].is_auxiliary) continue;
       tree_.query(inflated(tree_.box_of(i), limit(a)), [&](std::uint32_t j) {
-        if (j > i && !share_vertex(domain_.curves[a], domain_.curves[CurveId(j)])) compare(a, CurveId(j));
+        if (j > i && !domain_.curves[CurveId(j)].is_auxiliary &&
+            !share_vertex(domain_.curves[a], domain_.curves[CurveId(j)]))
+          compare(a, CurveId(j));
       });
     }
     for (const auto& [pair, near] : nearest_)

@@ -33,6 +33,13 @@ constexpr double kFarPoint = 1e4;
 // Arcs of more than this turn are halved; some way from a half turn, so that rounding does not matter.
 constexpr double kHalfTurn = 3.0;
 
+/// A piece of the last step.
+void add_piece(Work& work, Route& route, VertexId tail, VertexId head, const CurvePiece& curve) {
+  const std::uint32_t origin = static_cast<std::uint32_t>(work.steps.size() - 1);
+  const CurveId id = work.pieces.push_back({.tail = tail, .head = head, .curve = curve, .origin = origin});
+  route.uses.push_back({.curve = id});
+}
+
 class Reader {
  public:
   explicit Reader(const Model& model) : work_{.model = model} {}
@@ -111,6 +118,7 @@ class Reader {
       if (!(circle.radius > 0 && std::isfinite(circle.radius))) {
         fail("the radius of a circle is not a positive number", path.where, circle.center);
       }
+      check_washer(circle, path.where);
       return;
     }
     for (std::size_t i = 0; i < path.items.size(); ++i) {
@@ -119,6 +127,21 @@ class Reader {
     }
     if (!path.items.empty() && path.items[0].via)
       fail("a path starts with a point, not with an arc", place_of(path, 0));
+  }
+
+  void check_washer(const Circle& circle, const std::string& place) const {
+    const std::uint32_t edges = circle.edges.value_or(kLeastCircleEdges), rings = circle.rings.value_or(1);
+    if (edges < kLeastCircleEdges || edges > kMostCircleEdges || edges % 2 != 0) {
+      fail("the number of edges round a circle is not an even number from " + std::to_string(kLeastCircleEdges) +
+               " to " + std::to_string(kMostCircleEdges),
+           place, circle.center);
+    }
+    if (rings < 1 || rings > kMostRings) {
+      fail("the number of rings is not from 1 to " + std::to_string(kMostRings), place, circle.center);
+    }
+    if (const double width = circle.ring_width.value_or(1); !(width > 0 && width <= kLargest)) {
+      fail("the width of a ring is not a positive number up to 1e60", place, circle.center);
+    }
   }
 
   static std::string place_of(const Path& path, std::size_t item) {
@@ -191,10 +214,13 @@ class Reader {
   void add_loop(const Path& path, CurveKind kind, std::size_t i) {
     const std::string what = kind == CurveKind::Outer ? "outer" : "hole";
     check_path(path);
+    if (kind == CurveKind::Outer && path.circle && (path.circle->rings || path.circle->ring_width)) {
+      fail("rings lie round holes and round lines, not round an outer loop", path.where, path.circle->center);
+    }
     route_ = {.kind = kind, .where = path.where, .size = kInfinity};
     route_.name = unique_name(what + "-" + std::to_string(i + 1), path.where, first_point(path));
     if (path.circle) {
-      add_circle(*path.circle);
+      add_circle(work_, *path.circle, route_);
     } else {
       add_chain(path, true);
     }
@@ -212,7 +238,7 @@ class Reader {
     const std::string name = line.name.empty() ? "line-" + std::to_string(i + 1) : line.name;
     route_.name = unique_name(name, line.path.where, first_point(line.path));
     if (line.path.circle) {
-      add_circle(*line.path.circle);
+      add_circle(work_, *line.path.circle, route_);
     } else {
       add_chain(line.path, false);
     }
@@ -225,25 +251,6 @@ class Reader {
     double twice = 0;
     for (const DirectedCurve& use : route.uses) twice += twice_area_under(work_.pieces[use.curve].curve, origin);
     return 0.5 * twice;
-  }
-
-  void add_piece(VertexId tail, VertexId head, const CurvePiece& curve) {
-    const std::uint32_t origin = static_cast<std::uint32_t>(work_.steps.size() - 1);
-    const CurveId id = work_.pieces.push_back({.tail = tail, .head = head, .curve = curve, .origin = origin});
-    route_.uses.push_back({.curve = id});
-  }
-
-  void add_circle(const Circle& circle) {
-    const Point east = circle.center + Point{circle.radius, 0};
-    const Point west = circle.center - Point{circle.radius, 0};
-    const VertexId e = work_.vertices.push_back({.at = east, .rank = Rank::Helper});
-    const VertexId w = work_.vertices.push_back({.at = west, .rank = Rank::Helper});
-    CurvePiece half{.a = east, .b = west, .center = circle.center, .radius = circle.radius};
-    half.sweep = std::numbers::pi;
-    work_.steps.push_back(half);
-    add_piece(e, w, half);
-    std::swap(half.a, half.b);
-    add_piece(w, e, half);
   }
 
   void add_chain(const Path& path, bool is_loop) {
@@ -269,10 +276,10 @@ class Reader {
       const double middle = 0.5 * length(arc);
       const VertexId half = work_.vertices.push_back({.at = point_at(arc, middle), .rank = Rank::Helper});
       const Point m = work_.vertices[half].at;
-      add_piece(tail, half, sub_piece(arc, 0, middle, a, m));
-      add_piece(half, head, sub_piece(arc, middle, 2 * middle, m, b));
+      add_piece(work_, route_, tail, half, sub_piece(arc, 0, middle, a, m));
+      add_piece(work_, route_, half, head, sub_piece(arc, middle, 2 * middle, m, b));
     } else {
-      add_piece(tail, head, arc);
+      add_piece(work_, route_, tail, head, arc);
     }
   }
 
@@ -301,6 +308,19 @@ class Reader {
 };
 
 }  // namespace
+
+void add_circle(Work& work, const Circle& circle, Route& route) {
+  const Point east = circle.center + Point{circle.radius, 0};
+  const Point west = circle.center - Point{circle.radius, 0};
+  const VertexId e = work.vertices.push_back({.at = east, .rank = Rank::Helper});
+  const VertexId w = work.vertices.push_back({.at = west, .rank = Rank::Helper});
+  CurvePiece half{.a = east, .b = west, .center = circle.center, .radius = circle.radius};
+  half.sweep = std::numbers::pi;
+  work.steps.push_back(half);
+  add_piece(work, route, e, w, half);
+  std::swap(half.a, half.b);
+  add_piece(work, route, w, e, half);
+}
 
 Work read_input(const Model& model, const Options& options) { return Reader(model).read(options); }
 

@@ -51,7 +51,7 @@ Neighbour nearest_curve(const Domain& domain, const BoxTree& tree, const LooseEn
   for (double reach = kFirstReach * domain.tolerance;; reach *= kWiden) {
     Neighbour nearest{CurveId(), std::min(reach, most)};
     tree.query(inflated({at, at}, nearest.gap), [&](std::uint32_t i) {
-      if (CurveId(i) == end.curve) return;
+      if (CurveId(i) == end.curve || domain.curves[CurveId(i)].is_auxiliary) return;
       const CurvePiece& piece = domain.curves[CurveId(i)].piece;
       const double d = distance(at, point_at(piece, project(piece, at)));
       if (d < nearest.gap) nearest = {CurveId(i), d};

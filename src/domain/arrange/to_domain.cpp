@@ -27,8 +27,10 @@ class Builder {
     add_curves();
     add_walks();
     add_paths();
+    add_washers();
     add_points();
     name_regions();
+    name_rings();
     add_box();
     out_.findings = std::move(work_.findings);
     return std::move(out_);
@@ -116,9 +118,15 @@ class Builder {
     }
   }
 
+  /// Rings are no paths of the model.
+  std::uint32_t n_paths() const {
+    const Model& model = work_.model;
+    return static_cast<std::uint32_t>(model.outer.size() + model.holes.size() + model.lines.size());
+  }
+
   void add_paths() {
     std::set<std::pair<std::uint32_t, std::uint32_t>> shared;
-    for (std::uint32_t r = 0; r < work_.routes.size(); ++r) {
+    for (std::uint32_t r = 0; r < n_paths(); ++r) {
       const Route& route = work_.routes[r];
       Domain::Path path{.name = route.name, .kind = route.kind, .curves = {}};
       std::set<CurveId> used;
@@ -155,6 +163,55 @@ class Builder {
     if (first == route || !shared.insert({first, route}).second) return;
     find("'" + work_.routes[route].name + "' runs along '" + work_.routes[first].name + "': one curve for both",
          work_.routes[route].where, work_.pieces[piece].curve.a);
+  }
+
+  /// The curves of a circle, empty where it is not whole in the domain.
+  std::vector<DirectedCurve> whole_circle(const Route& route) const {
+    std::vector<DirectedCurve> chain;
+    for (const DirectedCurve& use : route.uses) {
+      if (!parts_.is_kept(use.curve)) return {};
+      append(chain, use.curve, use.reversed);
+    }
+    close(chain);
+    return chain;
+  }
+
+  void add_washers() {
+    IdVector<VertexId, bool> is_taken(out_.vertices.count(), false);
+    for (const Washer& given : work_.washers) {
+      Domain::Washer washer{.path = given.route, .edges = given.edges, .circles = {}};
+      washer.circles.push_back(whole_circle(work_.routes[given.route]));
+      if (const char* why = unfit(washer, is_taken)) {
+        const Route& route = work_.routes[given.route];
+        lose("'" + route.name + "' gets no edges or rings of its own: " + why, route.where, route.start);
+        continue;
+      }
+      for (const DirectedCurve& d : washer.circles[0]) is_taken[out_.curves[d.curve].tail] = true;
+      for (std::uint32_t i = 0; i < given.n_rings; ++i) add_ring(work_.routes[given.first_ring + i], washer);
+      for (const std::vector<DirectedCurve>& circle : washer.circles)
+        for (const DirectedCurve& d : circle) out_.curves[d.curve].edges_round = washer.edges;
+      out_.washers.push_back(std::move(washer));
+    }
+  }
+
+  /// Why the number of edges cannot be held, or null. Two numbers of circles that touch might not both be even.
+  const char* unfit(const Domain::Washer& washer, const IdVector<VertexId, bool>& is_taken) const {
+    const std::vector<DirectedCurve>& circle = washer.circles[0];
+    if (circle.empty()) return "it does not lie in the domain as a whole";
+    if (washer.edges > 0 && washer.edges < circle.size()) return "it has more corners than edges";
+    for (const DirectedCurve& d : circle)
+      if (is_taken[out_.curves[d.curve].tail] || is_taken[out_.curves[d.curve].head])
+        return "it touches another circle that has them";
+    return nullptr;
+  }
+
+  void add_ring(const Route& route, Domain::Washer& washer) {
+    washer.circles.push_back(whole_circle(route));
+    for (const DirectedCurve& d : washer.circles.back()) {
+      Domain::Curve& curve = out_.curves[d.curve];
+      curve.is_auxiliary = true;
+      out_.cells[curve.left].is_ring = true;
+    }
   }
 
   std::uint32_t face_at(Point p) const {
@@ -197,11 +254,27 @@ class Builder {
     }
   }
 
+  /// Rings belong to the cell around them.
+  CellId around_rings(CellId cell) const {
+    while (cell.valid() && out_.cells[cell].is_ring) cell = out_.curves[out_.cells[cell].walks[0][0].curve].right;
+    return cell;
+  }
+
+  void name_rings() {
+    for (std::size_t i = 0; i < out_.cells.count(); ++i) {
+      Domain::Cell& cell = out_.cells[CellId(i)];
+      if (!cell.is_ring) continue;
+      const Domain::Cell& around = out_.cells[around_rings(CellId(i))];
+      cell.region = around.region;
+      cell.size = around.size;
+    }
+  }
+
   void name_regions() {
     out_.regions = {"domain"};
     std::vector<const Region*> holder(out_.cells.count(), nullptr);
     for (const Region& region : work_.model.regions) {
-      const CellId cell = cell_of_[face_at(region.at)];
+      const CellId cell = around_rings(cell_of_[face_at(region.at)]);
       if (!cell.valid()) {
         lose("region '" + region.name + "' lies outside the domain: ignored", region.where, region.at);
         continue;

@@ -16,7 +16,8 @@
 #include "quadline/report.hpp"
 #include "search/box_tree.hpp"
 
-/// The steps of `arrange`, private to it: read_input, resolve, subdivide, classify, to_domain, in this order.
+/// The steps of `arrange`, private to it: read_input, add_rings, resolve, subdivide, classify, to_domain, in this
+/// order.
 namespace quadline::arrangement {
 
 /// Who keeps its place when vertices merge: the first of these.
@@ -54,6 +55,14 @@ struct Route {
   std::vector<DirectedCurve> uses{};  ///< pieces in order
 };
 
+/// A circle of the model that asks for a number of edges or for rings.
+struct Washer {
+  std::uint32_t route;       ///< of the circle
+  std::uint32_t edges;       ///< 0: by the sizes
+  std::uint32_t first_ring;  ///< route of the first ring; the others follow, outwards
+  std::uint32_t n_rings;     ///< that have room
+};
+
 struct Work {
   const Model& model;
   double size = 0;
@@ -63,7 +72,8 @@ struct Work {
   IdVector<VertexId, Vertex> vertices{};
   IdVector<CurveId, Piece> pieces{};
   std::vector<CurvePiece> steps{};       ///< of the paths, as given; `origin` counts them
-  std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model
+  std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model; then rings
+  std::vector<Washer> washers{};         ///< in the order of the routes
   std::vector<VertexId> point_vertex{};  ///< of every point of the model
   std::vector<Finding> findings{};
 
@@ -98,6 +108,14 @@ std::string digits(double length);
 
 /// Checks the model and lays out its paths, as they are. @throws InputError
 Work read_input(const Model& model, const Options& options);
+
+/// Lays out a circle: two pieces, from its east to its west and back.
+void add_circle(Work& work, const Circle& circle, Route& route);
+
+/// Lays out circles for the rings that the model asks for, as far as there is room: a third of their width stays free
+/// beyond them. What there is no room for is a finding. O((n + m) log n) for n pieces and m of them near the rings.
+/// @throws InputError where the rings alone need more quads than allowed.
+void add_rings(Work& work, const Options& options);
 
 /// Merges vertices, cuts pieces at vertices and crossings, drops pieces without length and repeated ones, until nothing
 /// changes. @throws InputError where that does not end.

@@ -65,6 +65,21 @@ double base_size(const Domain& domain, const Domain::Curve& curve) {
   return base;
 }
 
+namespace {
+
+/// The edges that a circle and its rings are given ask for the size that they have.
+void follow_edges(const Domain& domain, const Domain::Washer& washer, CurveSizes& curves) {
+  for (const std::vector<DirectedCurve>& circle : washer.circles)
+    for (const DirectedCurve& d : circle) {
+      const Domain::Curve& curve = domain.curves[d.curve];
+      const double size = curvature_size(curve.piece.radius, washer.edges);
+      curves.sizes[d.curve] = std::min({base_size(domain, curve), curve.size, size});
+      curves.least_edges[d.curve] = 1;
+    }
+}
+
+}  // namespace
+
 CurveSizes curve_sizes(const Domain& domain, const Options& options) {
   const Continuations ends(domain);
   CurveSizes curves;
@@ -85,6 +100,8 @@ CurveSizes curve_sizes(const Domain& domain, const Options& options) {
     curves.sizes.push_back(is_asked ? size : base);
     curves.least_edges.push_back(static_cast<std::uint32_t>(least));
   }
+  for (const Domain::Washer& washer : domain.washers)
+    if (washer.edges > 0) follow_edges(domain, washer, curves);
   return curves;
 }
 

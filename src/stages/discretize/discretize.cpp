@@ -12,6 +12,7 @@
 #include "stages/discretize/chords.hpp"
 #include "stages/discretize/intervals.hpp"
 #include "stages/discretize/metric_length.hpp"
+#include "stages/discretize/washer_counts.hpp"
 
 namespace quadline {
 namespace {
@@ -19,6 +20,13 @@ namespace {
 // Growth of sizes along arcs, on which consecutive chords then differ by 13 % at most: the eye sees more there than
 // elsewhere.
 constexpr double kArcSlope = 0.1;
+
+/// Arc lengths of the nodes that cut a curve into n equal edges.
+std::vector<double> even_places(double whole, std::uint32_t n) {
+  std::vector<double> places;
+  for (std::uint32_t i = 1; i < n; ++i) places.push_back(whole * i / n);
+  return places;
+}
 
 class Discretizer {
  public:
@@ -28,6 +36,7 @@ class Discretizer {
     uses_.assign(domain.curves.count(), EdgeUse::Whole);
     for (const CurveId c : curves_round(domain, halved)) uses_[c] = EdgeUse::Halved;
     for (std::size_t i = 0; i < domain.cells.count(); ++i) all_halved_ &= halved.contains(CellId(i));
+    find_washers();
   }
 
   void choose_places() {
@@ -41,6 +50,7 @@ class Discretizer {
     IdVector<CurveId, CountTarget> targets;
     targets.reserve(domain_.curves.count());
     for (std::size_t i = 0; i < domain_.curves.count(); ++i) targets.push_back(target(CurveId(i), lengths[CurveId(i)]));
+    set_washer_counts(domain_, all_halved_, targets);
     counts_ = choose_counts(domain_, std::move(targets));
     for (std::size_t i = 0; i < counts_.count(); ++i) counts_[CurveId(i)] /= nodes_apart(CurveId(i));
     places_.assign(counts_.count(), {});
@@ -55,7 +65,11 @@ class Discretizer {
       std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, uses_);
       if (coarse.empty()) return;
       add_twins(coarse);
-      for (CurveId c : coarse) counts_[c] += 2 * (counts_[c] / 4 + 1);
+      add_washers(coarse);
+      for (CurveId c : coarse) {
+        const std::uint32_t steps = counts_[c] * nodes_apart(c) / unit(c);
+        counts_[c] += 2 * (steps / 4 + 1) * unit(c) / nodes_apart(c);
+      }
       place_all();
     }
   }
@@ -89,11 +103,45 @@ class Discretizer {
     return {length, target.is_even() ? least + least % 2 : least, target.is_halved, target.twin};
   }
 
+  void find_washers() {
+    is_on_washer_.assign(domain_.curves.count(), false);
+    is_halved_washer_.assign(domain_.curves.count(), false);
+    for (const Domain::Washer& washer : domain_.washers) {
+      const std::vector<CurveId> curves = curves_of(washer);
+      const bool is_halved =
+          std::any_of(curves.begin(), curves.end(), [&](CurveId c) { return uses_[c] == EdgeUse::Halved; });
+      for (const CurveId c : curves) {
+        is_on_washer_[c] = true;
+        is_halved_washer_[c] = is_halved;
+      }
+    }
+  }
+
+  static std::vector<CurveId> curves_of(const Domain::Washer& washer) {
+    std::vector<CurveId> curves;
+    for (const auto& circle : washer.circles)
+      for (const DirectedCurve& d : circle) curves.push_back(d.curve);
+    return curves;
+  }
+
   void add_twins(std::vector<CurveId>& curves) const {
     for (std::size_t i = curves.size(); i-- > 0;)
       if (const CurveId twin = twins_[curves[i]]; twin.valid()) curves.push_back(twin);
     std::sort(curves.begin(), curves.end());
     curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+  }
+
+  /// All circles of a washer get more edges, or none: they share their rays.
+  void add_washers(std::vector<CurveId>& curves) const {
+    for (const Domain::Washer& washer : domain_.washers) {
+      const std::vector<CurveId> all = curves_of(washer);
+      if (std::none_of(all.begin(), all.end(),
+                       [&](CurveId c) { return std::binary_search(curves.begin(), curves.end(), c); }))
+        continue;
+      curves.insert(curves.end(), all.begin(), all.end());
+      std::sort(curves.begin(), curves.end());
+      curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+    }
   }
 
   /// Limits the growth of sizes along arcs, and from one to those beyond its ends.
@@ -119,6 +167,9 @@ class Discretizer {
   /// Edges of the mesh in the end from one node to the next, against those on other curves.
   std::uint32_t nodes_apart(CurveId c) const { return uses_[c] == EdgeUse::Halved && !all_halved_ ? 2 : 1; }
 
+  /// Edges that a curve gets at once: as any circle of its washer.
+  std::uint32_t unit(CurveId c) const { return is_halved_washer_[c] && !all_halved_ ? 2 : nodes_apart(c); }
+
   /// Edges over what the sizes ask for.
   double density(CurveId c) const { return counts_[c] * nodes_apart(c) / metrics_[c].total(); }
 
@@ -131,7 +182,9 @@ class Discretizer {
     for (std::size_t i = 0; i < counts_.count(); ++i) {
       const CurveId c(i);
       const CurvePiece& piece = domain_.curves[c].piece;
-      places_[c] = metrics_[c].places(counts_[c], {crowding(c, chains_[c][0]), crowding(c, chains_[c][1])});
+      places_[c] = is_on_washer_[c]
+                       ? even_places(length(piece), counts_[c])
+                       : metrics_[c].places(counts_[c], {crowding(c, chains_[c][0]), crowding(c, chains_[c][1])});
       lines_[c].assign(1, piece.a);
       for (double s : places_[c]) lines_[c].push_back(point_at(piece, s));
       lines_[c].push_back(piece.b);
@@ -147,6 +200,8 @@ class Discretizer {
   IdVector<CurveId, std::uint32_t> counts_;  ///< edges on each curve as it is placed
   IdVector<CurveId, CurveId> twins_;         ///< see CountTarget
   bool all_halved_ = true;
+  IdVector<CurveId, bool> is_halved_washer_;  ///< on a washer of which one circle is halved
+  IdVector<CurveId, bool> is_on_washer_;      ///< nodes at equal distances: those of all its circles lie on common rays
   IdVector<CurveId, std::vector<double>> places_;  ///< arc lengths of the nodes inside each curve
   Polylines lines_;
 };

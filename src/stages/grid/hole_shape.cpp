@@ -38,7 +38,10 @@ double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk)
 
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame) {
   const auto& walk = domain.cells[c].walks[inner.walk];
-  HoleShape shape{.walk = inner.walk, .asked = edges_asked(domain, walk)};
+  HoleShape shape{.walk = inner.walk,
+                  .given = static_cast<int>(domain.curves[walk[0].curve].edges_round),
+                  .asked = edges_asked(domain, walk)};
+  if (shape.given % 4 != 0 || shape.given == 4) return std::nullopt;
   for (const DirectedCurve& d : walk) {
     shape.around += length(domain.curves[d.curve].piece);
     shape.area -= (d.reversed ? -0.5 : 0.5) * twice_area_under(domain.curves[d.curve].piece, domain.box.lo);
@@ -84,8 +87,10 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
     counts.k[side] = std::max(
         2, static_cast<int>(std::floor(hole.across[side] / h + kRooms[static_cast<std::size_t>(variant)] + 0.5)));
   if (hole.is_circle()) {
-    const double asked = std::floor(0.25 * hole.asked + 0.5);
-    counts.k[0] = counts.k[1] = std::max({counts.k[0], static_cast<int>(0.25 * turn), static_cast<int>(asked)});
+    const int asked = static_cast<int>(std::floor(0.25 * hole.asked + 0.5));
+    counts.k[0] = hole.given > 0 ? hole.given / 4 : std::max({counts.k[0], static_cast<int>(0.25 * turn), asked});
+    counts.k[1] = counts.k[0];
+    counts.more_rings = hole.given > 0 && kRooms[static_cast<std::size_t>(variant)] > kRooms[0] ? 1 : 0;
     counts.arc = static_cast<std::uint32_t>(2 * counts.k[0]);
     return counts;
   }
@@ -111,7 +116,7 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
 }
 
 bool is_too_fine(const HoleShape& hole, double h) {
-  return hole.asked > 4 * kMostFiner * (std::max(hole.across[0], hole.across[1]) / h + 1);
+  return std::max(hole.asked, double(hole.given)) > 4 * kMostFiner * (std::max(hole.across[0], hole.across[1]) / h + 1);
 }
 
 void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side) {
@@ -131,7 +136,10 @@ int rings_of(const HoleShape& hole, const HoleCounts& counts, double h) {
   const double chord = 0.25 * std::numbers::pi * share;
   const int k = std::min(counts.k[0], counts.k[1]);
   const double square = kWayOut * k * (1 - share) / (1 + chord);
-  return std::max({share < kThreeRings ? 3 : share < kTwoRings ? 2 : 1, static_cast<int>(std::floor(square + 0.5))});
+  return counts.more_rings + std::max({share < kThreeRings ? 3
+                                       : share < kTwoRings ? 2
+                                                           : 1,
+                                       static_cast<int>(std::floor(square + 0.5))});
 }
 
 }  // namespace quadline

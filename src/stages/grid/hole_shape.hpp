@@ -24,6 +24,7 @@ struct HoleShape {
   std::size_t along = 0;           ///< of a slot: its straight sides are along the rows (0), or the columns
   double area = 0;
   double around = 0;  ///< length of the walk
+  int given = 0;      ///< edges round it that the model gives; 0: none
   double asked = 0;   ///< edges round it by the sizes of its curves and of the cells beside them
 
   bool is_circle() const { return across[0] == across[1] && arcs == 2; }
@@ -40,9 +41,15 @@ struct HoleCounts {
   std::array<int, 2> k{};                   ///< columns and rows
   std::array<std::uint32_t, 2> straight{};  ///< on a straight side along the rows, along the columns
   std::uint32_t arc = 0;                    ///< on each arc
+  int more_rings = 0;                       ///< than `rings_of` would have by the shape alone
 
   int edges() const { return 2 * (k[0] + k[1]); }
 };
+
+/// The model gives it other edges than these.
+inline bool is_other(const HoleShape& hole, const HoleCounts& counts) {
+  return hole.given > 0 && hole.given != counts.edges();
+}
 
 /// Its curves ask for so many edges that no grid of size h can be round it: the sizes must grade.
 bool is_too_fine(const HoleShape& hole, double h);

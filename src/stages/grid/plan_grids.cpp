@@ -42,9 +42,10 @@ class Planner {
       for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
         const CellId c(i);
         const std::optional<WholeCircle> outer = circles_.find(domain_, walk(c, 0));
-        if (outer.has_value() != is_ring || !has_one_size(c)) continue;
+        if (outer.has_value() != is_ring || domain_.cells[c].is_ring || !has_one_size(c)) continue;
         plan(c, outer, inner_walks(c));
       }
+    for (const Domain::Washer& washer : domain_.washers) follow(washer);
     return std::move(plans_);
   }
 
@@ -118,6 +119,17 @@ class Planner {
     mark_rings(domain_, c, proposal, true);
     add_wishes(plans_, proposal);
     plans_.cells[c] = std::move(proposal);
+  }
+
+  // Where a grid has turned the outermost circle of a washer, the others turn with it.
+  void follow(const Domain::Washer& washer) {
+    const std::optional<GivenCircle> outermost = given(washer.circles.back());
+    if (!outermost) return;
+    for (const std::vector<DirectedCurve>& circle : washer.circles) {
+      if (is_turned_[circle[0].curve] || !circles_.find(domain_, circle)) continue;
+      WholeCircles::turn(domain_, circle, outermost->start);
+      for (const DirectedCurve& d : circle) is_turned_[d.curve] = true;
+    }
   }
 
   Domain& domain_;

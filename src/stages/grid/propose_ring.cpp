@@ -35,6 +35,8 @@ class RingGrid {
       if (const double edges = edges_asked(domain, walks[walk]);
           edges > kFiner * kFullTurn * radius / domain.cells[c].size)
         asked_ = std::max(asked_, edges);
+    for (const std::size_t walk : {std::size_t{0}, inner.walk})
+      given_edges_ = std::max(given_edges_, static_cast<int>(domain.curves[walks[walk][0].curve].edges_round));
     plan_.frame = {outer.center, {1, 0}, true};
     plan_.inner = inner.walk;
     for (const InnerWalk& other : others) {
@@ -44,6 +46,7 @@ class RingGrid {
                         .across = {2 * r, 2 * r},
                         .radius = r,
                         .arcs = 2,
+                        .given = static_cast<int>(domain.curves[walks[other.walk][0].curve].edges_round),
                         .asked = edges_asked(domain, walks[other.walk])});
     }
     if (!holes_.empty()) plan_.frame.axis = unit(holes_[0].center - outer.center);
@@ -57,19 +60,20 @@ class RingGrid {
   // cannot have so many in two equal arcs of an even number each.
   bool count_rays(double quads, int variant, const std::optional<GivenCircle>& given, const Options& options) {
     const double by_area = std::sqrt(kFullTurn * quads / logarithm(ratio_)), wanted = std::max(asked_, by_area);
-    if (wanted > kMostRays * by_area) return false;
+    if (std::max(wanted, double(given_edges_)) > kMostRays * by_area) return false;
     start_ = given ? given->start : plan_.frame.axis;
     if (holes_.empty()) {
       if (variant > 0) return false;
-      rays_ = given ? static_cast<int>(given->rays)
-                    : std::max(kLeastRays, 4 * static_cast<int>(std::floor(0.25 * wanted + 0.5)));
-      return true;
+      rays_ = given              ? static_cast<int>(given->rays)
+              : given_edges_ > 0 ? given_edges_
+                                 : std::max(kLeastRays, 4 * static_cast<int>(std::floor(0.25 * wanted + 0.5)));
+      return is_given(rays_);
     }
     if (given) return false;
     for (const double density : kDensities) {
       plan_.holes.clear();
       rays_ = place_holes(density * kDenser[static_cast<std::size_t>(variant)] * wanted, options);
-      if (rays_ % 4 == 0 && rays_ >= kLeastRays) return true;
+      if (rays_ % 4 == 0 && rays_ >= kLeastRays && is_given(rays_)) return true;
     }
     return false;
   }
@@ -90,6 +94,8 @@ class RingGrid {
   }
 
  private:
+  bool is_given(int rays) const { return given_edges_ == 0 || rays == given_edges_; }
+
   static Point unit(Point v) { return (1 / norm(v)) * v; }
 
   // Returns how many rays there are. The first hole has one in its middle, or two beside it. None where a hole asks for
@@ -100,7 +106,7 @@ class RingGrid {
       const double spacing = distance(hole.center, outer_.center) * kFullTurn / wanted;
       const HoleCounts counts = counts_of(hole, spacing, 0, options);
       stops.push_back({stops.empty() ? 0 : plan_.frame.to_frame(hole.center).y, counts.k[1], 0, 1});
-      if (is_too_fine(hole, spacing)) return 0;
+      if (is_too_fine(hole, spacing) || is_other(hole, counts)) return 0;
       plan_.holes.push_back({hole.walk, counts.k[0], counts.k[1], rings_of(hole, counts, spacing), hole.center});
     }
     GridStop again = stops.front();
@@ -114,6 +120,7 @@ class RingGrid {
 
   WholeCircle outer_;
   double ratio_;
+  int given_edges_ = 0;           // on one of the two circles, by the model; 0: none
   double asked_ = 0;              // rays, by circles that are finer than the cell
   std::vector<HoleShape> holes_;  // by angle
   GridPlan plan_;

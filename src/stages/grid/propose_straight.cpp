@@ -32,6 +32,8 @@ class StraightGrid {
       holes_.push_back({*shape, counts_of(*shape, h_, variant, options)});
     }
     make_parities_alike();
+    if (std::any_of(holes_.begin(), holes_.end(), [](const Hole& hole) { return is_other(hole.shape, hole.counts); }))
+      return std::nullopt;
     collect_stops();
     for (auto& stops : stops_) {
       place_stops(stops, kDensities[static_cast<std::size_t>(variant)] * density(quads), kTogether * h_);

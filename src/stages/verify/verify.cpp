@@ -129,7 +129,11 @@ class Verifier {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<NodeIndex>(i);
     std::sort(order.begin(), order.end(), [&](NodeIndex v, NodeIndex w) { return is_before(point(v), point(w)); });
     node_at_.assign(domain_.vertices.count(), 0);
+    IdVector<VertexId, bool> is_on_ring(domain_.vertices.count(), false);  // which is a wish, like a size
+    for (const Domain::Curve& curve : domain_.curves)
+      if (curve.is_auxiliary) is_on_ring[curve.tail] = is_on_ring[curve.head] = true;
     for (std::size_t i = 0; i < domain_.vertices.count(); ++i) {
+      if (is_on_ring[VertexId(i)]) continue;
       const Point p = domain_.vertices[VertexId(i)].at;
       const auto found = std::lower_bound(order.begin(), order.end(), p,
                                           [&](NodeIndex v, Point at) { return is_before(point(v), at); });
@@ -153,7 +157,7 @@ class Verifier {
     for (std::size_t i = 0; i < domain_.paths.size() && !failure_; ++i) check_path(domain_.paths[i], mesh_.curves[i]);
     for (std::size_t i = 0; i < domain_.curves.count() && !failure_; ++i) {
       const Domain::Curve& curve = domain_.curves[CurveId(i)];
-      if (!is_covered_[CurveId(i)] && (curve.left.valid() || curve.right.valid()))
+      if (!is_covered_[CurveId(i)] && !curve.is_auxiliary && (curve.left.valid() || curve.right.valid()))
         fail("a curve of the domain has no edges", curve.piece.a);
     }
   }

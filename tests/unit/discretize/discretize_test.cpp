@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <set>
@@ -502,6 +503,88 @@ TEST(Discretize, ScalingByAPowerOfTwoScalesEveryNode) {
     for (std::size_t i = 0; i < mesh.topo().node_capacity(); ++i)
       ASSERT_EQ(other.point(NodeId(i)), factor * mesh.point(NodeId(i)));
   }
+}
+
+// A plate with a hole of radius 2 and two rings 0.5 wide.
+Domain washer_domain(std::optional<std::uint32_t> edges) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.items = {{{0, 0}}, {{20, 0}}, {{20, 12}}, {{0, 12}}}});
+  model.holes.push_back({.circle = Circle{{10, 6}, 2, edges, 2, 0.5}});
+  Context context;
+  return arrange(model, {}, context);
+}
+
+std::vector<unsigned> washer_counts(const Domain& domain, const WorkMesh& mesh) {
+  const std::vector<unsigned> n = counts(domain, mesh);
+  std::vector<unsigned> round;
+  for (const auto& circle : domain.washers[0].circles) {
+    round.push_back(0);
+    for (const DirectedCurve& d : circle) round.back() += n[d.curve.value];
+  }
+  return round;
+}
+
+TEST(Washers, HaveTheEdgesThatAreGiven) {
+  for (const unsigned edges : {8u, 22u, 24u, 60u}) {
+    const Domain domain = washer_domain(edges);
+    const WorkMesh mesh = nodes_of(domain);
+    expect_sound(domain, mesh);
+    EXPECT_EQ(washer_counts(domain, mesh), std::vector<unsigned>(3, edges));
+  }
+}
+
+TEST(Washers, HaveOneNumberOfEdgesWhereNoneIsGiven) {
+  const Domain domain = washer_domain(std::nullopt);
+  const std::vector<unsigned> round = washer_counts(domain, nodes_of(domain));
+  EXPECT_EQ(round, std::vector<unsigned>(3, round[0]));
+  EXPECT_EQ(round[0] % 4, 0u);
+  EXPECT_NEAR(round[0], 2 * std::numbers::pi * 2.5, 4);  // halfway out
+}
+
+TEST(Washers, HaveTheirNodesOnCommonRays) {
+  const Domain domain = washer_domain(24);
+  const WorkMesh mesh = nodes_of(domain);
+  std::map<long, int> rays;
+  for (const NodeId v : mesh.topo().nodes()) {
+    const Point p = mesh.point(v);
+    const Point from = p - Point{10, 6};
+    if (norm(from) > 3.1) continue;
+    ++rays[std::lround(std::atan2(from.y, from.x) / (2 * std::numbers::pi / 24) * 1e6)];
+  }
+  for (const auto& [ray, n] : rays) EXPECT_EQ(ray % 1'000'000, 0) << ray;
+  EXPECT_EQ(rays.at(0), 3);
+}
+
+TEST(Washers, FollowWhatAGridWishes) {
+  const Domain domain = washer_domain(std::nullopt);
+  IdVector<CurveId, std::uint32_t> wished(domain.curves.count(), 0);
+  for (const DirectedCurve& d : domain.washers[0].circles.back()) wished[d.curve] = 14;
+  Context context;
+  const WorkMesh mesh = discretize(domain, make_size_field(domain, {}, context), wished, {}, context);
+  EXPECT_EQ(washer_counts(domain, mesh), std::vector<unsigned>(3, 28));
+}
+
+// Before halving the chords of a thin ring would cross the circle inside it.
+TEST(Washers, ThinRingsGetMoreEdgesOnAllTheirCircles) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.items = {{{0, 0}}, {{20, 0}}, {{20, 12}}, {{0, 12}}}});
+  model.holes.push_back({.circle = Circle{{10, 6}, 2, 8, 2, 0.02}});
+  Context context;
+  const Domain domain = arrange(model, {}, context);
+  EXPECT_EQ(washer_counts(domain, nodes_of(domain)), std::vector<unsigned>(3, 8));
+  CellSet around;
+  for (std::size_t i = 0; i < domain.cells.count(); ++i)
+    if (!domain.cells[CellId(i)].is_ring) around.insert(CellId(i));
+  const std::vector<unsigned> round = washer_counts(domain, nodes_of(domain, {}, around));
+  EXPECT_GT(round[0], 8u);
+  EXPECT_EQ(round, (std::vector<unsigned>{round[0], round[0], round[0] / 2}));  // the last one is halved later
+}
+
+TEST(Washers, HalvedOnesHaveTheHalfBefore) {
+  const Domain domain = washer_domain(24);
+  EXPECT_EQ(washer_counts(domain, nodes_of(domain, {}, all_cells(domain))), std::vector<unsigned>(3, 12));
 }
 
 }  // namespace

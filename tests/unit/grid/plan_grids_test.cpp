@@ -199,6 +199,50 @@ TEST(PlanGrids, AFinerCircleHasThePatchThatItsEdgesNeed) {
   EXPECT_EQ(rings, 1u);
 }
 
+// A hole of radius 1.8 would have 16.
+TEST(PlanGrids, EdgesThatTheModelGivesAreThePatch) {
+  const auto plate = [](std::uint32_t edges) {
+    Model model = shapes::plate_model(16, 12, {{8, 6}}, 1.8);
+    model.holes[0].circle->edges = edges;
+    return planned(shapes::arranged(model));
+  };
+  for (const std::uint32_t edges : {12u, 16u, 20u, 24u}) {
+    const Planned made = plate(edges);
+    ASSERT_TRUE(made.plans.cells[kCell]) << edges;
+    EXPECT_EQ(made.plan().holes[0].columns, static_cast<int>(edges / 4));
+    for (const DirectedCurve& d : made.domain.cells[kCell].walks[1]) EXPECT_EQ(made.count(d), edges / 2);
+  }
+  for (const std::uint32_t edges : {4u, 18u, 22u, 400u}) EXPECT_FALSE(plate(edges).plans.cells[kCell]) << edges;
+}
+
+TEST(PlanGrids, EdgesOfABoreAreTheRays) {
+  const auto flange = [](int bolts, std::uint32_t edges) {
+    Model model = shapes::flange_model(bolts);
+    model.holes[0].circle->edges = edges;
+    return planned(shapes::arranged(model));
+  };
+  const Planned ring = flange(0, 40);
+  ASSERT_TRUE(ring.plans.cells[kCell]);
+  EXPECT_EQ(ring.count(ring.domain.cells[kCell].walks[0][0]), 20u);
+  EXPECT_FALSE(flange(8, 42).plans.cells[kCell]);  // no multiple of the bolts
+}
+
+// The rings of a hole turn with the outermost, so that nodes stay on common rays.
+TEST(PlanGrids, TheRingsOfAHoleFollow) {
+  Model model = shapes::plate_model(16, 12, {{8, 6}}, 1.5);
+  model.holes[0].circle->rings = 2;
+  model.holes[0].circle->ring_width = 0.4;
+  const Planned made = planned(shapes::arranged(model));
+  const Domain::Washer& washer = made.domain.washers.at(0);
+  for (const auto& circle : washer.circles) {
+    const CurvePiece& piece = made.domain.curves[circle[0].curve].piece;
+    EXPECT_NEAR(std::abs(piece.a.x - 8), std::abs(piece.a.y - 6), 1e-12);
+  }
+  EXPECT_GT(made.count(washer.circles[2][0]), 0u);
+  for (std::size_t i = 0; i < made.domain.cells.count(); ++i)
+    EXPECT_EQ(made.plans.cells[CellId(i)].has_value(), !made.domain.cells[CellId(i)].is_ring);
+}
+
 TEST(PlanGrids, ACircleThatIsTooFineHasNoPatch) {
   Model model = shapes::plate_model(16, 12, {}, 0);
   model.lines.push_back({.name = "washer", .path = {.circle = Circle{{8, 6}, 1.5}}, .size = 1e-4});
