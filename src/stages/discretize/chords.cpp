@@ -52,7 +52,7 @@ bool is_close_outside(const Chord& c, const CurvePiece& arc, Point p) {
   const double gap = distance(p, arc.center) - arc.radius;
   if (gap < 0 || gap >= kClearance * c.bulge) return false;
   const Point foot = arc.center + (arc.radius / (arc.radius + gap)) * (p - arc.center);
-  return dot(foot - c.a, c.b - c.a) > 0 && dot(foot - c.b, c.a - c.b) > 0;
+  return dot(foot - c.a, foot - c.b) < 0;  // in the circle over the chord: not on the far side of the arc's own
 }
 
 std::vector<Chord> chords_of(const Domain& domain, const Polylines& lines) {
