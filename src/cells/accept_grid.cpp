@@ -33,11 +33,12 @@ IdVector<FaceId, double> least_jacobians(const WorkMesh& mesh) {
   return least;
 }
 
-// The shortest edge on a hole with rings: what is near it may be as short.
-double shortest_round_hole(const WorkMesh& mesh, const Domain& domain) {
+// The shortest edge on a hole with rings, an arc, or a curve with a size of its own: what is near it may be as short.
+double shortest_on_arcs(const WorkMesh& mesh, const Domain& domain) {
   double shortest = kInfinity;
   for (const Segment& s : mesh.segments())
-    if (domain.curves[s.curve].has_rings || domain.curves[s.curve].size < kInfinity)
+    if (const Domain::Curve& curve = domain.curves[s.curve];
+        curve.has_rings || curve.piece.is_arc() || curve.size < kInfinity)
       shortest = std::min(shortest, distance(mesh.point(s.a), mesh.point(s.b)));
   return shortest;
 }
@@ -45,7 +46,7 @@ double shortest_round_hole(const WorkMesh& mesh, const Domain& domain) {
 }  // namespace
 
 bool is_good_grid(const WorkMesh& mesh, const Domain& domain, const SizeField& size) {
-  const double shortest = shortest_round_hole(mesh, domain);
+  const double shortest = shortest_on_arcs(mesh, domain);
   const IdVector<FaceId, double> least = least_jacobians(mesh);
   for (const FaceId f : mesh.topo().faces()) {
     const QuadPoints q = mesh.quad_points(f);

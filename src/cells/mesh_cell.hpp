@@ -44,7 +44,7 @@ struct Recipe {
   std::vector<Point> kept_places{};         ///< what lies near them stays as it is as well,
   double kept_reach = 0;                    ///< up to so many sizes from them
 
-  bool is_grid_planned() const { return may_grid && (!grid.holes.empty() || grid.frame.is_polar); }
+  bool is_grid_planned() const { return may_grid && (!grid.holes.empty() || grid.frame.is_polar || grid.is_disk); }
 };
 
 /// Multiples of the sizes at which recipes space the points inside cells: of halved cells, and of retries.

@@ -46,7 +46,7 @@ std::vector<std::int64_t> key_of(const Domain& domain, CellId c, const GridPropo
   constexpr double kPerSize = 1e6;
   const GridPlan& plan = proposal.plan;
   const double per_unit = kPerSize / (plan.frame.is_polar ? 1 : domain.cells[c].size);
-  std::vector<std::int64_t> key{plan.frame.is_polar, plan.direction, plan.columns, plan.rows};
+  std::vector<std::int64_t> key{plan.is_disk, plan.frame.is_polar, plan.direction, plan.columns, plan.rows};
   const auto add = [&](Point p) {
     const Point at = plan.frame.to_frame(p);
     for (const double x : {at.x, at.y}) key.push_back(static_cast<std::int64_t>(std::floor(per_unit * x + 0.5)));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "stages/grid/fill_disk.hpp"
 #include "stages/grid/grid_places.hpp"
 #include "stages/grid/lattice_points.hpp"
 #include "stages/grid/walk_nodes.hpp"
@@ -13,6 +14,7 @@ namespace quadline {
 namespace {
 
 constexpr double kBetter = 1 - 1e-6;  // of a misfit: rounding decides nothing
+constexpr int kMostSteps = 32;        // round a hole: of the longest slots the direction is that many off
 
 class Filler {
  public:
@@ -81,8 +83,8 @@ class Filler {
     return rim;
   }
 
-  // The nodes of a hole, counter-clockwise, each beside its node of the rim: those near the direction of the first are
-  // tried.
+  // The nodes of a hole, counter-clockwise, each beside its node of the rim: from the one in the direction of the first
+  // on, round the hole as long as they fit better.
   std::vector<NodeId> circle_of(const GridHole& hole, const std::vector<NodeId>& rim) const {
     std::vector<NodeId> circle;
     for (const WalkNode& w : walks_[hole.walk].nodes) circle.push_back(w.node);
@@ -93,21 +95,28 @@ class Filler {
     };
     const Point towards = seen(rim[0]);
     const auto is_less = [&](NodeId a, NodeId b) { return dot(seen(a), towards) < dot(seen(b), towards); };
+    auto first = static_cast<std::size_t>(std::max_element(circle.begin(), circle.end(), is_less) - circle.begin());
+    for (const std::size_t step : {std::size_t{1}, circle.size() - 1}) first = best_from(first, step, circle, rim);
+    std::rotate(circle.begin(), circle.begin() + static_cast<std::ptrdiff_t>(first), circle.end());
+    return circle;
+  }
+
+  std::size_t best_from(std::size_t first, std::size_t step, const std::vector<NodeId>& circle,
+                        const std::vector<NodeId>& rim) const {
     const std::size_t n = circle.size();
-    const auto nearest =
-        static_cast<std::size_t>(std::max_element(circle.begin(), circle.end(), is_less) - circle.begin());
-    const auto misfit = [&](std::size_t first) {
+    const auto misfit = [&](std::size_t at) {
       double sum = 0;
-      for (std::size_t k = 0; k < n; ++k) sum += norm2(points_[rim[k].value] - points_[circle[(first + k) % n].value]);
+      for (std::size_t k = 0; k < n; ++k) sum += norm2(points_[rim[k].value] - points_[circle[(at + k) % n].value]);
       return sum;
     };
-    constexpr std::size_t kReach = 2;
-    std::size_t best = nearest;
-    for (std::size_t k = 0; k <= 2 * kReach; ++k)
-      if (const std::size_t first = (nearest + n + k - kReach) % n; misfit(first) < kBetter * misfit(best))
-        best = first;
-    std::rotate(circle.begin(), circle.begin() + static_cast<std::ptrdiff_t>(best), circle.end());
-    return circle;
+    double least = misfit(first);
+    for (int k = 0; k < kMostSteps; ++k) {
+      const double next = misfit((first + step) % n);
+      if (next >= kBetter * least) break;
+      first = (first + step) % n;
+      least = next;
+    }
+    return first;
   }
 
   void add_rings(const PlacedHole& placed) {
@@ -148,6 +157,7 @@ bool holes_fit(const GridPlan& plan, const std::vector<NodeWalk>& walks) {
 }  // namespace
 
 bool fill_grid(WorkMesh& mesh, const Domain& domain, CellId c, const GridPlan& plan) {
+  if (plan.is_disk) return fill_disk(mesh, domain, c, plan.rows);
   const std::vector<NodeWalk> walks = walks_of(mesh, domain, c);
   if (!domain.cells[c].lone_points.empty() || !holes_fit(plan, walks)) return false;
   std::optional<PlacedCell> cell = place_cell(mesh, plan, walks);

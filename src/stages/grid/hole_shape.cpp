@@ -15,6 +15,7 @@ constexpr std::array<double, kProposals> kRooms{0.3, 0.3, 0.8};  // sizes that r
 constexpr double kTwoRings = 0.35, kThreeRings = 0.175;  // a hole that takes less of its patch across gets so many
 constexpr double kWayOut = 1.15;                         // from a hole to its patch, over that to the sides
 constexpr double kMostFiner = 1.7;                       // squares of a patch for each that the hole would need
+constexpr double kFiner = 1.01;                          // edges over those that the size of the cell asks for
 constexpr double kAlike = 1e-3;                          // lengths that differ less are equal
 
 bool is_about(double a, double b, double whole) { return std::abs(a - b) <= kAlike * whole; }
@@ -34,6 +35,13 @@ double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk)
     sum += length(curve.piece) / std::min(curve.size, base_size(domain, curve));
   }
   return sum;
+}
+
+double finer_edges(const Domain& domain, CellId c, const std::vector<DirectedCurve>& walk) {
+  double around = 0;
+  for (const DirectedCurve& d : walk) around += length(domain.curves[d.curve].piece);
+  const double edges = edges_asked(domain, walk);
+  return edges * domain.cells[c].size > kFiner * around ? edges : 0;
 }
 
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame) {

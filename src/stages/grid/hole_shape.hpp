@@ -33,6 +33,9 @@ struct HoleShape {
 /// Edges round a walk by the sizes of its curves and of the cells beside them.
 double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk);
 
+/// The same where it is finer than the size of a cell beside it; else 0.
+double finer_edges(const Domain& domain, CellId c, const std::vector<DirectedCurve>& walk);
+
 /// Empty where the walk is none of these.
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame);
 

@@ -46,6 +46,9 @@ class Planner {
         plan(c, outer, inner_walks(c));
       }
     for (const Domain::Washer& washer : domain_.washers) follow(washer);
+    for (std::size_t i = 0; i < domain_.cells.count(); ++i)
+      if (const CellId c(i); domain_.cells[c].walks.size() == 1 && domain_.cells[c].lone_points.empty())
+        if (const std::optional<WholeCircle> circle = circles_.find(domain_, walk(c, 0))) plan_disk(c, *circle);
     return std::move(plans_);
   }
 
@@ -75,6 +78,21 @@ class Planner {
     return inner;
   }
 
+  void plan_disk(CellId c, const WholeCircle& circle) {
+    std::optional<GridProposal> proposal = propose_disk(domain_, c, circle, given(walk(c, 0)), options_);
+    if (proposal && cost(c, *proposal) < kInfinity) keep(c, std::move(*proposal));
+  }
+
+  // In the domain as it is turned for it, and then turned back.
+  double cost(CellId c, const GridProposal& proposal) {
+    const std::vector<GridProposal::Turn> back = turn(c, proposal.turns);
+    mark_rings(domain_, c, proposal, true);
+    const double cost = cost_(domain_, c, proposal);
+    mark_rings(domain_, c, proposal, false);
+    turn(c, back);
+    return cost;
+  }
+
   void plan(CellId c, const std::optional<WholeCircle>& outer, const std::vector<InnerWalk>& holes) {
     std::optional<GridProposal> best;
     double least = kInfinity;
@@ -83,11 +101,7 @@ class Planner {
           outer ? propose_ring(domain_, c, *outer, holes, variant, given(walk(c, 0)), options_)
                 : propose_straight(domain_, c, holes, variant, options_);
       if (!proposal) continue;
-      const std::vector<GridProposal::Turn> back = turn(c, proposal->turns);
-      mark_rings(domain_, c, *proposal, true);
-      const double cost = cost_(domain_, c, *proposal);
-      mark_rings(domain_, c, *proposal, false);
-      turn(c, back);
+      const double cost = this->cost(c, *proposal);
       if (!(cost < least)) continue;
       least = cost;
       best = std::move(proposal);
@@ -121,14 +135,17 @@ class Planner {
     plans_.cells[c] = std::move(proposal);
   }
 
-  // Where a grid has turned the outermost circle of a washer, the others turn with it.
+  // Where a grid has turned the outermost circle of a washer, the others turn with it and have its edges.
   void follow(const Domain::Washer& washer) {
     const std::optional<GivenCircle> outermost = given(washer.circles.back());
     if (!outermost) return;
     for (const std::vector<DirectedCurve>& circle : washer.circles) {
       if (is_turned_[circle[0].curve] || !circles_.find(domain_, circle)) continue;
       WholeCircles::turn(domain_, circle, outermost->start);
-      for (const DirectedCurve& d : circle) is_turned_[d.curve] = true;
+      for (const DirectedCurve& d : circle) {
+        is_turned_[d.curve] = true;
+        plans_.counts[d.curve] = outermost->rays / 2;
+      }
     }
   }
 

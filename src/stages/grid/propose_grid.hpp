@@ -56,6 +56,10 @@ std::optional<GridProposal> propose_ring(const Domain& domain, CellId c, const W
                                          const std::vector<InnerWalk>& holes, int variant,
                                          const std::optional<GivenCircle>& given, const Options& options);
 
+/// For a disk with nothing inside. @param given  of its circle, if another grid has it as a hole.
+std::optional<GridProposal> propose_disk(const Domain& domain, CellId c, const WholeCircle& circle,
+                                         const std::optional<GivenCircle>& given, const Options& options);
+
 /// Area of a cell over that of a square of its size: how many quads it asks for.
 double quads_asked(const Domain& domain, CellId c);
 

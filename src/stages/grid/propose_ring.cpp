@@ -18,7 +18,6 @@ namespace {
 constexpr double kConcentric = 1e-6;   // of the radius
 constexpr double kLargestRatio = 3.5;  // of the radii: edges would get too unequal
 constexpr double kTogether = 0.15;     // rows: holes so near get one ray
-constexpr double kFiner = 1.01;        // edges over those that the size of the cell asks for
 constexpr double kMostRays = 6;        // over those that the quads want
 constexpr int kLeastRays = 8;
 constexpr std::array<double, kProposals> kDenser{1, 1.12, 1.25};
@@ -30,11 +29,8 @@ class RingGrid {
            const std::vector<InnerWalk>& others)
       : outer_(outer), ratio_(outer.radius / inner.circle->radius) {
     const auto& walks = domain.cells[c].walks;
-    for (const auto& [walk, radius] :
-         {std::pair(std::size_t{0}, outer.radius), std::pair(inner.walk, inner.circle->radius)})
-      if (const double edges = edges_asked(domain, walks[walk]);
-          edges > kFiner * kFullTurn * radius / domain.cells[c].size)
-        asked_ = std::max(asked_, edges);
+    for (const std::size_t walk : {std::size_t{0}, inner.walk})
+      asked_ = std::max(asked_, finer_edges(domain, c, walks[walk]));
     for (const std::size_t walk : {std::size_t{0}, inner.walk})
       given_edges_ = std::max(given_edges_, static_cast<int>(domain.curves[walks[walk][0].curve].edges_round));
     plan_.frame = {outer.center, {1, 0}, true};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 #include <string>
 #include <tuple>
@@ -222,6 +223,32 @@ TEST(FillGrid, APatchOfOddAndEvenSidesSurroundsASlot) {
   ASSERT_TRUE(fill_grid(mesh, domain, kCell, {.columns = 11, .rows = 8, .holes = {slot}}));
   expect_filled(mesh, 88 - 15 + 16);
   EXPECT_EQ(shapes::irregular_valences(mesh), std::vector<int>(4, 5));
+}
+
+// From the middle of a long slot many nodes lie in about the direction of a corner of the patch.
+TEST(FillGrid, TheRingOfALongSlotIsAsSymmetricAsIt) {
+  const Domain domain =
+      shapes::Builder(
+          {{0, 0}, {25, 0}, {25, 9}, {0, 9}, {4.5, 3.5}, {20.5, 3.5}, {20.5, 5.5}, {4.5, 5.5}},
+          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6, Point{21.5, 4.5}}, {6, 7}, {7, 4, Point{3.5, 4.5}}}, 1)
+          .build({{12.5, 4.5}});
+  WorkMesh mesh = shapes::nodes_on(domain, {25, 9, 25, 9, 17, 5, 17, 5});
+  const GridHole slot{.walk = 1, .columns = 19, .rows = 3, .rings = 1, .at = {12.5, 4.5}, .place = {12.5, 4.5}};
+  ASSERT_TRUE(fill_grid(mesh, domain, kCell, {.columns = 25, .rows = 9, .holes = {slot}}));
+  std::set<std::array<long, 4>> spokes, mirrored;
+  const auto rounded = [](double x) { return std::lround(1e6 * x); };
+  for (const NodeId v : mesh.topo().nodes()) {
+    const Point p = mesh.point(v);
+    if (mesh.is_free(v) || p.x < 1 || p.x > 24 || p.y < 1 || p.y > 8) continue;
+    mesh.topo().for_each_out(v, [&](HalfId h) {
+      if (!mesh.is_free(mesh.topo().head(h))) return;
+      const Point q = mesh.point(mesh.topo().head(h));
+      spokes.insert({rounded(p.x), rounded(p.y), rounded(q.x), rounded(q.y)});
+      mirrored.insert({rounded(25 - p.x), rounded(p.y), rounded(25 - q.x), rounded(q.y)});
+    });
+  }
+  EXPECT_EQ(spokes.size(), 44u);
+  EXPECT_EQ(spokes, mirrored);
 }
 
 TEST(FillGrid, HolesGoToTheNearestPlaceWhereCountsAreOthers) {

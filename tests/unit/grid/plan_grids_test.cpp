@@ -175,6 +175,76 @@ TEST(PlanGrids, SmallHolesHaveMoreRings) {
   EXPECT_EQ(rings(0.1), 3);
 }
 
+// A row of holes of which one would have three squares across and the next four.
+TEST(PlanGrids, HolesInARowSuitOneLineOfTheGrid) {
+  const auto squares = [](double radius) {
+    return planned(shapes::arranged(shapes::plate_model(10, 10, {{5, 5}}, radius))).plan().holes[0].columns;
+  };
+  const double small = 1.3, large = 1.8;
+  ASSERT_NE(squares(small) % 2, squares(large) % 2);
+  Model model = shapes::plate_model(20, 10, {{5, 5}}, small);
+  model.holes.push_back({.circle = Circle{{14.5, 5}, large}});
+  const Planned made = planned(shapes::arranged(model));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  EXPECT_EQ(made.plan().holes[0].rows % 2, made.plan().holes[1].rows % 2);
+  EXPECT_EQ(made.plan().holes[0].place.y, made.plan().holes[1].place.y);
+}
+
+Model disk_model(double radius) {
+  Model model;
+  model.size = 1;
+  model.outer.push_back({.circle = Circle{{0, 0}, radius}});
+  return model;
+}
+
+TEST(PlanGrids, ADiskHasTheQuadsOfItsArea) {
+  for (const double radius : {4.0, 8.0, 15.0}) {
+    const Planned made = planned(shapes::arranged(disk_model(radius)));
+    ASSERT_TRUE(made.plans.cells[kCell]);
+    EXPECT_TRUE(made.plan().is_disk);
+    WorkMesh mesh = shapes::nodes_on(made.domain, made.plans.counts.raw());
+    ASSERT_TRUE(fill_grid(mesh, made.domain, kCell, made.plan()));
+    const double area = std::numbers::pi * radius * radius;
+    EXPECT_NEAR(static_cast<double>(mesh.topo().face_count()), area, 0.15 * area);
+    EXPECT_NEAR(made.domain.curves[CurveId(std::size_t{0})].piece.a.x, radius * std::sqrt(0.5), 1e-9);  // turned
+  }
+}
+
+TEST(PlanGrids, ADiskHasTheEdgesThatItsCircleAsksFor) {
+  Model model = disk_model(6);
+  const auto edges = [&] {
+    const Planned made = planned(shapes::arranged(model));
+    return made.plans.cells[kCell] ? 2 * made.count(made.domain.cells[kCell].walks[0][0]) : 0;
+  };
+  model.outer[0].circle->edges = 48;
+  EXPECT_EQ(edges(), 48u);
+  model.outer[0].circle->edges = 46;
+  EXPECT_EQ(edges(), 0u);
+  model.outer[0].circle->edges = 4000;
+  EXPECT_EQ(edges(), 0u);
+  model = disk_model(0.4);  // as round as the least
+  EXPECT_GE(edges(), 8u);
+}
+
+// Inside a round line the disk has the edges of the patch outside.
+TEST(PlanGrids, ADiskInAPlateFollowsThePlate) {
+  Model model = shapes::plate_model(16, 12, {}, 0);
+  model.lines.push_back({.name = "pad", .path = {.circle = Circle{{8, 6}, 2.5}}});
+  const Planned made = planned(shapes::arranged(model));
+  ASSERT_EQ(made.domain.cells.count(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) ASSERT_TRUE(made.plans.cells[CellId(i)]);
+  const std::size_t disk = made.plans.cells[CellId(std::size_t{0})]->plan.is_disk ? 0 : 1;
+  const GridHole& hole = made.plans.cells[CellId(1 - disk)]->plan.holes.at(0);
+  for (const DirectedCurve& d : made.domain.cells[CellId(disk)].walks[0])
+    EXPECT_EQ(made.count(d), static_cast<std::uint32_t>(2 * hole.columns));
+}
+
+TEST(PlanGrids, ADiskWithAPointInsideIsNone) {
+  Model model = disk_model(6);
+  model.points.push_back({.name = "lug", .at = {1, 1}});
+  EXPECT_FALSE(planned(shapes::arranged(model)).plans.cells[kCell]);
+}
+
 // Washers are circles round the holes whose edges are finer than those of the plate.
 TEST(PlanGrids, AFinerCircleHasThePatchThatItsEdgesNeed) {
   Model model = shapes::plate_model(16, 12, {}, 0);
