@@ -67,7 +67,7 @@ Attempt run_stages(const FallbackPlan& plan, const Options& options, CellCache& 
   } else {
     result.edge_sizes = edge_sizes(result.mesh, size);
     result.report.findings = plan.findings(mesh);
-    append_missed_edges(domain, result.mesh, result.report.findings);
+    append_missed_edges(plan.model(), result.mesh, result.report.findings);
   }
   return attempt;
 }

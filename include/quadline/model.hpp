@@ -15,15 +15,15 @@ struct PathItem {
   std::optional<Point> via{};  ///< a place on the arc between its ends, model units; empty: a straight line
 };
 
-/// A whole circle: a hole, an outer loop or a closed line.
+/// A whole circle: an outer loop, a hole or a closed line.
 ///
-/// `rings` rings of quads may lie round a hole or a line, with nodes on common rays; where they have no room, those
-/// that have are made, and a Finding says why.
+/// Round a hole or a line `rings` rows of quads may lie, each `ring_width` wide, with nodes on common rays; where they
+/// have no room, those that have are made, and a Finding says why.
 struct Circle {
   Point center;       ///< model units
   double radius = 0;  ///< model units, > 0
-  std::optional<std::uint32_t>
-      edges{};  ///< number of element edges round it; even, kLeastCircleEdges to kMostCircleEdges
+  /// Element edges round it, even, kLeastCircleEdges to kMostCircleEdges; empty: as the sizes want.
+  std::optional<std::uint32_t> edges{};
   std::optional<std::uint32_t> rings{};  ///< 1 to kMostRings; empty: one where `ring_width` is given, else none
   std::optional<double> ring_width{};    ///< of each ring, model units, > 0; empty: the length of an edge round it
 };

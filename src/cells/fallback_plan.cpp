@@ -40,13 +40,13 @@ CellSet planned(const GridPlans& plans) {
   return cells;
 }
 
-// An axis would cross the circles of a washer where their rays need not be.
-void insert_washers(const Domain& domain, CellSet& cells) {
-  for (const Domain::Washer& washer : domain.washers)
-    for (const std::vector<DirectedCurve>& circle : washer.circles)
-      for (const DirectedCurve& d : circle)
-        for (const CellId c : {domain.curves[d.curve].left, domain.curves[d.curve].right})
-          if (c.valid()) cells.insert(c);
+bool is_halving(Method method) { return method == Method::Merge || method == Method::Split; }
+
+// Where edges are halved a half of an arc would have to have an even number too.
+void insert_beside_given(const Domain& domain, CellSet& cells) {
+  for (const Domain::Curve& curve : domain.curves)
+    for (const CellId c : {curve.left, curve.right})
+      if (c.valid() && curve.edges % 4 != 0) cells.insert(c);
 }
 
 }  // namespace
@@ -71,7 +71,6 @@ FallbackPlan::FallbackPlan(Domain model, const Options& options, const Context& 
 void FallbackPlan::lay_out(const Context& context, bool may_cut) {
   Rehearsal rehearsal(context);
   const auto plan = [&](Domain& domain) {
-    if (options_.method != Method::Layout) return;
     grids_ = plan_grids(domain, options_, [&](const Domain& turned, CellId c, const GridProposal& proposal) {
       return rehearsal.cost(turned, c, proposal);
     });
@@ -79,7 +78,7 @@ void FallbackPlan::lay_out(const Context& context, bool may_cut) {
   plan(model_);
   const bool cuts = may_cut && options_.method != Method::QMorph && !options_.size_at;
   CellSet whole = planned(grids_);
-  insert_washers(model_, whole);
+  if (is_halving(options_.method)) insert_beside_given(model_, whole);
   domain_ = cuts ? cut_at_axes(model_, whole) : model_;
   if (is_cut()) plan(domain_);  // curves got other numbers, and parts of cells may suit
 }
@@ -87,14 +86,14 @@ void FallbackPlan::lay_out(const Context& context, bool may_cut) {
 Recipe FallbackPlan::recipe(CellId c) const {
   const bool is_front = options_.triangles != Triangles::Delaunay;
   Recipe recipe;
-  const bool is_ring = domain_.cells[c].is_ring;  // a row of quads at once; where that fails Q-Morph's
-  recipe.method = is_ring || options_.method == Method::Layout ? Method::QMorph : options_.method;
-  recipe.may_grid = options_.method == Method::Layout && !is_changed(c) && !is_ring;
-  if (recipe.may_grid && !grids_.cells.empty() && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
+  recipe.method = options_.method == Method::Layout ? Method::QMorph : options_.method;
+  if (!grids_.cells.empty() && grids_.cells[c]) recipe.grid = grids_.cells[c]->plan;
+  if (recipe.grid.rings > 0) recipe.method = Method::QMorph;
+  recipe.may_grid = (options_.method == Method::Layout || recipe.grid.rings > 0) && !is_changed(c);
   recipe.triangles = is_front != rung(c).other_triangles ? Triangles::Front : Triangles::Delaunay;
   recipe.lines = options_.lines;
   recipe.keeps_thin_quads = rung(c).is_halved;
-  if (rung(c).is_halved && recipe.method == Method::QMorph && !is_ring) recipe.method = Method::Merge;
+  if (rung(c).is_halved && recipe.method == Method::QMorph) recipe.method = Method::Merge;
   recipe.may_retry = recipe.method == Method::QMorph && options_.triangles == Triangles::Both && !is_changed(c);
   return recipe;
 }
@@ -128,7 +127,9 @@ bool FallbackPlan::advance(const std::vector<Trouble>& troubles) {
   }
   // A grid that is dropped changes the counts beside it, and so may cost the next one its own: that ends here.
   const bool is_grid = std::any_of(troubles.begin(), troubles.end(), [](const Trouble& t) { return t.is_grid; });
-  if (is_grid && ++grid_failures_ > kMostGridFailures) dropped = planned(grids_);
+  if (is_grid && ++grid_failures_ > kMostGridFailures)
+    for (std::size_t i = 0; i < grids_.cells.count(); ++i)
+      if (const auto& grid = grids_.cells[CellId(i)]; grid && grid->plan.rings == 0) dropped.insert(CellId(i));
   if (!dropped.empty()) grids_.drop(dropped, domain_);
   if (advanced) set_sizes();
   return advanced;
@@ -178,8 +179,24 @@ std::string FallbackPlan::name_of(CellId c) const {
   return "a cell of region '" + domain_.regions[domain_.cells[c].region] + "'";
 }
 
+void FallbackPlan::append_ringless(std::vector<Finding>& findings) const {
+  for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
+    const Domain::Cell& cell = domain_.cells[CellId(i)];
+    if (cell.rings == 0 || grids_.cells[CellId(i)]) continue;
+    const CurveId inner = cell.walks[1][0].curve;
+    const auto path = std::find_if(domain_.paths.begin(), domain_.paths.end(), [&](const Domain::Path& p) {
+      return std::any_of(p.curves.begin(), p.curves.end(), [&](DirectedCurve d) { return d.curve == inner; });
+    });
+    findings.push_back({"'" + path->name +
+                            "' gets no rings: its edges are not those of the circle round them; ask for " +
+                            "another number of edges",
+                        path->where, domain_.curves[inner].piece.a, true});
+  }
+}
+
 std::vector<Finding> FallbackPlan::findings(const WorkMesh& mesh) const {
   std::vector<Finding> found;
+  append_ringless(found);
   if (std::all_of(rung_.begin(), rung_.end(), [](std::size_t rung) { return rung == 0; })) return found;
   const IdVector<CellId, Point> places = places_in_cells(mesh, rung_.count());
   for (std::size_t i = 0; i < rung_.count(); ++i) {

@@ -39,7 +39,8 @@ class FallbackPlan {
   /// @param model    the domain of the model.
   /// @param options  as the user gave them; must outlive this.
   /// @param context  asked whether to stop.
-  /// @param may_cut  cells that are symmetric are cut at their axes, but for Q-Morph alone, or where a function of place
+  /// @param may_cut  cells that are symmetric are cut at their axes, but for Q-Morph alone, or where a function of
+  /// place
   ///                 gives sizes.
   /// @throws Cancelled when `context` asks for it.
   FallbackPlan(Domain model, const Options& options, const Context& context, bool may_cut = true);
@@ -62,7 +63,9 @@ class FallbackPlan {
   /// Edges that curves want for the grids beside them; 0, or nothing at all: no wish.
   const IdVector<CurveId, std::uint32_t>& wished_counts() const { return grids_.counts; }
   /// Two cells are meshed the same way, and the domain tells all of their sizes.
-  bool is_alike(CellId a, CellId b) const { return !options_.size_at && rung_[a] == rung_[b]; }
+  bool is_alike(CellId a, CellId b) const {
+    return !options_.size_at && rung_[a] == rung_[b] && domain_.cells[a].rings == domain_.cells[b].rings;
+  }
   /// Of the domain; none where a function of place gives sizes.
   const std::vector<Symmetry>& symmetries() const { return symmetries_; }
   /// The domain as it came.
@@ -70,7 +73,8 @@ class FallbackPlan {
   bool is_cut() const { return domain_.curves.count() > model_.curves.count(); }
   /// The domain with the cuts and the sizes of the plan.
   const Domain& domain() const { return domain_; }
-  /// A finding for each cell that was not meshed as asked, at a place inside it.
+  /// A finding for each cell that was not meshed as asked, at a place inside it, or that has no rings as the model
+  /// asks.
   std::vector<Finding> findings(const WorkMesh& mesh) const;
   /// A finding for each cell where nothing helped.
   std::vector<Finding> failures(const std::vector<Trouble>& troubles) const;
@@ -81,6 +85,7 @@ class FallbackPlan {
   };
   void lay_out(const Context& context, bool may_cut);
   void set_sizes();
+  void append_ringless(std::vector<Finding>& findings) const;
   bool is_beside_halved(CellId c) const;
   std::string name_of(CellId c) const;
 

@@ -8,7 +8,6 @@
 #include "base/stage_clock.hpp"
 #include "cells/accept_grid.hpp"
 #include "cells/cell_cost.hpp"
-#include "cells/fill_ring.hpp"
 #include "cells/thin_quads.hpp"
 #include "stages/field_points/field_points.hpp"
 #include "stages/grid/fill_grid.hpp"
@@ -49,7 +48,6 @@ class CellMesher {
       : input_(input), recipe_(recipe), context_(context) {}
 
   CellResult run() {
-    if (input_.domain.cells[input_.cell].is_ring && fill_row()) return std::move(result_);
     if (recipe_.may_grid && grid()) return std::move(result_);
     if (recipe_.is_grid_planned()) {
       note(InternalError("the grid that was planned does not come out"));
@@ -73,6 +71,11 @@ class CellMesher {
     bool is_good = false;
     run(clock_, "grid", part_of(context_, 0, kTriangulated), 0, 1, [&](Context& own) {
       if (!fill_grid(mesh, input_.domain, input_.cell, recipe_.grid)) return;
+      if (recipe_.grid.rings > 0) {  // they are what is asked for, and stay it
+        for (const FaceId f : mesh.topo().faces()) mesh.freeze(f);
+        is_good = unsound_faces(mesh).empty();
+        return;
+      }
       smooth(mesh, input_.domain, input_.sizes.at(1), {.slides = false, .raises_beta = false}, own);
       is_good = is_good_grid(mesh, input_.domain, input_.sizes.at(1));
     });
@@ -81,17 +84,6 @@ class CellMesher {
     result_.is_grid = true;
     result_.raw = mesh;
     result_.start = fingerprint(mesh);
-    result_.mesh = std::move(mesh);
-    return true;
-  }
-
-  bool fill_row() {
-    WorkMesh mesh = input_.nodes.of(input_.cell);
-    if (!fill_ring(mesh, input_.domain, input_.cell)) return false;
-    result_.is_grid = true;
-    result_.raw = mesh;
-    result_.start = fingerprint(mesh);
-    if (input_.wants_snapshots) keep(kCellSnapshots[0], mesh);
     result_.mesh = std::move(mesh);
     return true;
   }

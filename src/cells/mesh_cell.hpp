@@ -37,14 +37,16 @@ struct Recipe {
   Method method = Method::QMorph;
   Triangles triangles = Triangles::Front;   ///< of the first try
   LineFronts lines = LineFronts::TwoSided;  ///< QMorph: where fronts on lines start
-  bool may_grid = false;                    ///< QMorph: not where a grid fills the cell well
+  bool may_grid = false;                    ///< QMorph: not where a grid fills the cell well, or rings are asked for
   GridPlan grid{};                          ///< where may_grid
   bool may_retry = false;                   ///< QMorph: with other triangles, where they may make a better mesh
   bool keeps_thin_quads = false;            ///< clean-up and smoothing leave very thin quads as they are
   std::vector<Point> kept_places{};         ///< what lies near them stays as it is as well,
   double kept_reach = 0;                    ///< up to so many sizes from them
 
-  bool is_grid_planned() const { return may_grid && (!grid.holes.empty() || grid.frame.is_polar || grid.is_disk); }
+  bool is_grid_planned() const {
+    return may_grid && (!grid.holes.empty() || grid.frame.is_polar || grid.is_disk || grid.rings > 0);
+  }
 };
 
 /// Multiples of the sizes at which recipes space the points inside cells: of halved cells, and of retries.
@@ -73,7 +75,7 @@ struct CellResult {
 };
 
 /// Meshes one cell, from the nodes on its curves to clean quads: triangles, field points, Q-Morph (or pairs, and
-/// halving), clean-up; then the same with other triangles, where they may do better. A ring is a row of quads at once.
+/// halving), clean-up; then the same with other triangles, where they may do better.
 ///
 /// Cells do not depend on each other: many can be meshed at once.
 /// @param context  told how much of the cell is done, 0..1, whatever the stage.

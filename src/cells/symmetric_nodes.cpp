@@ -128,7 +128,8 @@ class Symmetrizer {
     return odd;
   }
 
-  // All curves that axes cross on the way from these cells on; false: they are even already. Sources are curves of
+  // All curves that axes cross on the way from these cells on, but for those whose numbers are given; false: they are
+  // even already. Sources are curves of
   // their own, whose images follow.
   bool make_even(std::vector<CellId> cells) {
     bool is_new = false;
@@ -136,7 +137,7 @@ class Symmetrizer {
       const CellId cell = cells.back();
       cells.pop_back();
       for (const CurveId c : crossed_[cell.value]) {
-        if (must_be_even_[c]) continue;
+        if (must_be_even_[c] || domain_.curves[c].edges > 0) continue;
         must_be_even_[c] = is_new = true;
         for (const CellId beside : {domain_.curves[c].left, domain_.curves[c].right})
           if (beside.valid()) cells.push_back(beside);

@@ -24,13 +24,13 @@ struct Domain {
     Point at;
   };
   struct Curve {
-    VertexId tail{}, head{};        ///< differ always
-    CurvePiece piece{};             ///< from tail to head
-    CellId left{}, right{};         ///< invalid: outside the domain
-    double size = 0;                ///< target edge length from lines along it, model units; infinity: none
-    std::uint32_t edges_round = 0;  ///< edges that the model gives its circle; 0: by the sizes
-    bool has_rings = false;         ///< of a hole in a grid: it asks for no lesser sizes round it
-    bool is_auxiliary = false;  ///< on no path of the model: a cut along an axis, see `cut_at_axes`, or round a ring
+    VertexId tail{}, head{};    ///< differ always
+    CurvePiece piece{};         ///< from tail to head
+    CellId left{}, right{};     ///< invalid: outside the domain
+    double size = 0;            ///< target edge length from lines along it, model units; infinity: none
+    std::uint32_t edges = 0;    ///< that it is to have, whatever the sizes; 0: as the sizes want
+    bool has_rings = false;     ///< of a hole in a grid: it asks for no lesser sizes round it
+    bool is_auxiliary = false;  ///< not of the model: cuts a cell at an axis, see `cut_at_axes`, or ends rings
     bool is_boundary() const { return left.valid() != right.valid(); }
   };
   /// A connected piece of the domain, bounded by closed walks of curves with the cell on their left. A line that ends
@@ -40,20 +40,14 @@ struct Domain {
     std::vector<VertexId> lone_points;              ///< point constraints inside, on no curve
     std::uint32_t region = 0;                       ///< index into `regions`
     double size = 0;                                ///< target edge length inside, model units
-    bool is_ring = false;                           ///< one row of quads between two circles with a common center
+    std::uint32_t rings = 0;                        ///< equal rows between two circles, as the model asks; 0: none
   };
   /// What one curve of the model became: its pieces in order, without those outside the domain.
   struct Path {
     std::string name;
     CurveKind kind;
     std::vector<DirectedCurve> curves;
-  };
-  /// A circle that asks for a number of edges, and the rings of quads round it.
-  struct Washer {
-    std::uint32_t path;       ///< index of the circle into `paths`
-    std::uint32_t edges = 0;  ///< round the circle and each ring, even; 0: by the sizes, the same for all
-    /// The circle, then the outer edges of the rings, outwards. They have vertices on the same rays.
-    std::vector<std::vector<DirectedCurve>> circles;
+    std::string where{};  ///< place in the file, for messages
   };
   struct PointUse {
     std::string name;
@@ -65,7 +59,6 @@ struct Domain {
   IdVector<CurveId, Curve> curves;
   IdVector<CellId, Cell> cells;
   std::vector<Path> paths;           ///< outer loops, holes, lines, in the order of the model
-  std::vector<Washer> washers;       ///< in the order of `paths`
   std::vector<PointUse> points;      ///< in the order of the model, without those outside the domain
   std::vector<std::string> regions;  ///< names; 0 is "domain", for cells without a name
   std::vector<Finding> findings;     ///< what was found and mended

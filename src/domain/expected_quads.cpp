@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "base/constants.hpp"
 #include "base/elementary.hpp"
@@ -35,33 +34,24 @@ double added_round(double h, double H, double slope, double area) {
   return kFullTurn / (slope * slope) * (logarithm(far / h) + h / far - 1);
 }
 
-/// Of every curve the size that its lines, its bend or the edges of its circle ask for; infinity: none.
-IdVector<CurveId, double> sizes_along(const Domain& domain, const Options& options) {
-  IdVector<CurveId, double> sizes;
-  for (const Domain::Curve& curve : domain.curves) {
-    const double bend = kFullTurn * curve.piece.radius / options.edges_per_circle;
-    sizes.push_back(curve.piece.is_arc() ? std::min(curve.size, bend) : curve.size);
-  }
-  for (const Domain::Washer& washer : domain.washers)
-    for (const std::vector<DirectedCurve>& circle : washer.circles)
-      for (const DirectedCurve& d : circle)
-        if (washer.edges > 0) sizes[d.curve] = kFullTurn * domain.curves[d.curve].piece.radius / washer.edges;
-  return sizes;
+double size_along(const Domain::Curve& curve, const Options& options) {
+  if (curve.edges > 0) return length(curve.piece) / curve.edges;
+  if (!curve.piece.is_arc()) return curve.size;
+  return std::min(curve.size, kFullTurn * curve.piece.radius / options.edges_per_circle);
 }
 
 /// By the sizes; but no fewer than a row one quad wide has with the edges on its curves.
-double expected_quads(const Domain& domain, const Domain::Cell& cell, const IdVector<CurveId, double>& sizes,
-                      const Options& options) {
+double expected_quads(const Domain& domain, const Domain::Cell& cell, const Options& options) {
   const double area = area_of(domain, cell), size = cell.size;
   double quads = area / (size * size), edges = 0;
   for (const auto& walk : cell.walks)
     for (const DirectedCurve& step : walk) {
       const Domain::Curve& curve = domain.curves[step.curve];
-      const double along = length(curve.piece), h = std::min(size, sizes[step.curve]);
+      const double along = length(curve.piece), h = std::min(size, size_along(curve, options));
       edges += std::max(1.0, along / h);
       quads += std::min(added_along(along, h, size, options.growth - 1), area / (h * h));
     }
-  if (cell.is_ring) return 0.5 * edges;
+  if (cell.rings > 0) return cell.rings * 0.5 * edges;
   return std::max(quads, 0.5 * (edges - 2));
 }
 
@@ -74,9 +64,8 @@ double area_of(const Domain& domain) {
 }
 
 double expected_quads(const Domain& domain, const Options& options) {
-  const IdVector<CurveId, double> sizes = sizes_along(domain, options);
   double quads = 0;
-  for (const Domain::Cell& cell : domain.cells) quads += expected_quads(domain, cell, sizes, options);
+  for (const Domain::Cell& cell : domain.cells) quads += expected_quads(domain, cell, options);
   const double area = area_of(domain);
   for (const Domain::PointUse& point : domain.points)
     quads += added_round(point.size, domain.size, options.growth - 1, area);

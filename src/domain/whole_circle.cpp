@@ -13,6 +13,10 @@ WholeCircles::WholeCircles(const Domain& domain) {
     for (const VertexId v : {c.tail, c.head}) ++ends[v];
   for (const std::uint32_t n : ends) is_seam_.push_back(n == 2);
   for (const Domain::PointUse& point : domain.points) is_seam_[point.vertex] = false;
+  for (const Domain::Cell& cell : domain.cells) {  // circles with common rays are turned together, or not at all
+    if (cell.rings == 0 || find(domain, cell.walks[1])) continue;
+    for (const DirectedCurve& d : cell.walks[0]) is_seam_[domain.curves[d.curve].tail] = false;
+  }
 }
 
 std::optional<WholeCircle> WholeCircles::find(const Domain& domain, const std::vector<DirectedCurve>& walk) const {

@@ -28,13 +28,14 @@ Estimate estimate(const Model& model, const Options& options, Context& context) 
 ModelFacts describe(const Model& model, const Options& options, Context& context) {
   check(options);
   Domain domain = arrange(model, options, context);
+  const DomainCounts counts = counts_of(domain);
   return {.size = domain.size,
           .tolerance = domain.tolerance,
           .low = domain.box.lo,
           .high = domain.box.hi,
-          .n_cells = cell_count(domain),
-          .n_curves = curve_count(domain),
-          .n_vertices = domain.vertices.count(),
+          .n_cells = counts.n_cells,
+          .n_curves = counts.n_curves,
+          .n_vertices = counts.n_vertices,
           .expected = estimate_of(domain, options, context),
           .findings = std::move(domain.findings),
           .corners = corners_of(domain)};

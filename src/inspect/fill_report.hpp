@@ -7,9 +7,12 @@
 
 namespace quadline {
 
-/// Without those of rings: the model knows none of them.
-std::size_t cell_count(const Domain& domain);
-std::size_t curve_count(const Domain& domain);
+/// What a model is made of, without the rings round its circles.
+struct DomainCounts {
+  std::size_t n_cells, n_curves, n_vertices;
+};
+/// @pre the domain is not cut at axes.
+DomainCounts counts_of(const Domain& domain);
 
 /// What a report says of the domain; its findings come before those that are there.
 void describe_domain(const Domain& domain, Report& report);

@@ -16,8 +16,8 @@ def plate(**more):
     return dict({"size": 1, "outer": PLATE}, **more)
 
 
-def circle(x, y, radius):
-    return {"center": [x, y], "radius": radius}
+def circle(x, y, radius, **asked):
+    return dict({"center": [x, y], "radius": radius}, **asked)
 
 
 # What is meshed, and the finding that goes with it; "": none.
@@ -37,6 +37,13 @@ TAKEN = {
     "a point outside": (plate(points=[{"name": "p", "at": [20, 1]}]), "warning: point 'p' lies outside the domain: dropped at (20, 1)"),
     "a point twice": (plate(points=[{"name": "p", "at": [3, 3]}] * 2), "note: the name 'p' is given twice"),
     "a region outside": (plate(regions=[{"name": "r", "at": [20, 1]}]), "warning: region 'r' lies outside the domain: ignored"),
+    "rings that fit": (plate(holes=[circle(6, 4, 1, rings=2, ring_width=0.5, edges=16)]), ""),
+    "rings at an edge": (plate(holes=[circle(2, 4, 1, rings=2, ring_width=0.5)]), "/holes/0: warning: 'hole-1' gets 1 of 2 rings: 'outer-1' is in the way; ask for fewer or thinner rings, or move it; a third of their width stays free at (0, 4)"),
+    "rings on a line": (plate(holes=[circle(6, 4, 1, rings=1)], lines=[{"name": "a", "path": [[0, 4], [5, 4]]}]), "/holes/0: warning: 'hole-1' gets no rings: 'a' is in the way; ask for fewer or thinner rings, or move it; a third of their width stays free at (5, 4)"),
+    "rings beside rings": (plate(holes=[circle(4, 4, 1, ring_width=1), circle(7.5, 4, 1, ring_width=1)]), "/holes/1: warning: 'hole-2' gets no rings: the rings of 'hole-1' are in the way"),
+    "rings beyond all": (plate(holes=[circle(6, 4, 1, ring_width=1e60)]), "/holes/0: warning: 'hole-1' gets no rings: 'outer-1' is in the way"),
+    "rings like a hair": (plate(holes=[circle(6, 4, 1, ring_width=1e-300)]), "/holes/0: warning: 'hole-1' gets no rings: they are hardly wider than the tolerance"),
+    "edges of a hole over the edge": (plate(holes=[circle(12, 4, 1, edges=16)]), "/holes/0: warning: 'hole-1' gets no edges or rings of its own: it does not lie in the domain as a whole at (13, 4)"),
     "denormal detail": ({"size": 1, "outer": [[0, 0], [12, 5e-324], [12, 8], [0, 8]]}, ""),
     "a size beyond the model": (plate(size=1e300), ""),
     "empty lists": (plate(holes=[], lines=[], points=[], regions=[]), ""),
@@ -67,6 +74,19 @@ REFUSED = {
     "a billion quads": (plate(size=3.1e-4), "about 1e+09 quads are expected, more than 5e+07: choose a larger size, or raise --max-quads"),
     "no size": ({"outer": PLATE}, "the model gives no target size: give --size H"),
     "a radius of zero": (plate(holes=[circle(5, 5, 0)]), "/holes/0/radius: expected a length above 0, found the number 0"),
+    "a ring without width": (plate(holes=[circle(5, 4, 1, ring_width=0)]), "/holes/0/ring_width: expected a length above 0, found the number 0"),
+    "a negative ring": (plate(holes=[circle(5, 4, 1, ring_width=-9)]), "/holes/0/ring_width: expected a length above 0, found the number -9"),
+    "a huge ring": (plate(holes=[circle(5, 4, 1, ring_width=1e300)]), "/holes/0: the width of a ring is not a positive number up to 1e60 at (5, 4)"),
+    "no rings": (plate(holes=[circle(5, 4, 1, rings=0)]), "/holes/0/rings: expected a whole number from 1 to 100, found the number 0"),
+    "half a ring": (plate(holes=[circle(5, 4, 1, rings=1.5)]), "/holes/0/rings: expected a whole number from 1 to 100, found the number 1.5"),
+    "rings without end": (plate(holes=[circle(5, 4, 1, rings=1e300)]), "/holes/0/rings: expected a whole number from 1 to 100, found the number 1e+300"),
+    "odd edges": (plate(holes=[circle(5, 4, 1, edges=23)]), "/holes/0/edges: expected an even number from 4 to 1000000, found the number 23"),
+    "two edges": (plate(holes=[circle(5, 4, 1, edges=2)]), "/holes/0/edges: expected an even number from 4 to 1000000, found the number 2"),
+    "edges of a billion": (plate(holes=[circle(5, 4, 1, edges=1e9)]), "/holes/0/edges: expected an even number from 4 to 1000000, found the number 1e+09"),
+    "edges in words": (plate(holes=[circle(5, 4, 1, edges="24")]), "/holes/0/edges: expected a number, found the text '24'"),
+    "rings of a million edges": (plate(holes=[circle(5, 4, 1, edges=1000000, rings=100)]), "/holes/0: the rings alone need more quads than allowed: ask for fewer, or raise --max-quads at (5, 4)"),
+    "rings round the domain": ({"size": 1, "outer": circle(5, 4, 4, rings=1)}, "/outer/rings: rings lie round holes and round lines: take it out"),
+    "rings beside the path": (plate(lines=[{"path": circle(5, 4, 1), "rings": 1}]), "/lines/0/rings: this key belongs to the circle: move it into 'path'"),
     "null": (plate(holes=None), "/holes: expected a list [...], found nothing (null)"),
     "a text for a number": ({"size": 1, "outer": [[0, "0"], [1, 0], [1, 1]]}, "/outer/0/1: expected a number, found the text '0'"),
     "three coordinates": ({"size": 1, "outer": [[0, 0, 0], [1, 0, 0], [1, 1, 0]]}, "/outer/0: expected a point [x, y], found a list of 3"),

@@ -1,12 +1,57 @@
-"""Rings that circles of the model ask for: as many, as wide, on common rays; or a line that says why not."""
+"""Circles that ask for edges and rings: the program holds them exactly, in every format, by every method that a user may choose."""
 import json
 import math
 import unittest
 
 from test_command_line import CommandLine
 
+BOLTS = [([30, 40], 8, 16, 2, 4), ([90, 40], 10, 24, 1, 9)]
+MODEL = {
+    "size": 8,
+    "outer": [[0, 0], [120, 0], [120, 80], [0, 80]],
+    "holes": [{"center": c, "radius": r, "edges": n, "rings": rings, "ring_width": w} for c, r, n, rings, w in BOLTS],
+}
+
 
 class Rings(CommandLine):
+    def nodes(self, *options):
+        done = self.run_it("mesh", self.put("m.json", MODEL), "-o", self.path("a.json"), "--json", *options)
+        self.assert_done(done)
+        self.assertEqual(json.loads(done.stdout)["findings"], [])
+        return json.loads(self.read("a.json"))["points"]
+
+    def assert_rings(self, points):
+        for (x, y), radius, edges, rings, width in BOLTS:
+            rays = []
+            for ring in range(rings + 1):
+                near = [p for p in points if abs(math.hypot(p[0] - x, p[1] - y) - radius - ring * width) < 1e-9]
+                rays.append(sorted(math.atan2(p[1] - y, p[0] - x) % (2 * math.pi - 1e-9) for p in near))
+            self.assertEqual([len(angles) for angles in rays], [edges] * (rings + 1))
+            for angles in rays[1:]:
+                self.assertLess(max(abs(a - b) for a, b in zip(angles, rays[0])), 1e-9)
+
+    def test_two_holes_by_every_method(self):
+        for method in ("layout", "qmorph", "merge", "split"):
+            with self.subTest(method=method):
+                self.assert_rings(self.nodes("--method", method))
+
+    def test_neither_threads_nor_criteria_change_them(self):
+        for options in (["--threads", "1"], ["--threads", "4"], ["--criteria", "growth"], ["--size", "3"], ["--size", "20"]):
+            with self.subTest(options=options):
+                self.assert_rings(self.nodes(*options))
+
+    def test_no_format_names_what_the_model_does_not(self):
+        self.assert_done(self.run_it("mesh", self.put("m.json", MODEL), "-o", self.path("a.msh"), "--quiet"))
+        names = self.read("a.msh").decode().split("$PhysicalNames\n")[1].split("$EndPhysicalNames")[0].splitlines()[1:]
+        self.assertEqual(sorted(line.split('"')[1] for line in names), ["domain", "hole-1", "hole-2", "outer-1"])
+
+    def test_info_counts_what_the_model_holds(self):
+        plain = dict(MODEL, holes=[{"center": c, "radius": r} for c, r, *_ in BOLTS])
+        facts = [json.loads(self.run_it("info", self.put("m.json", m), "--json").stdout) for m in (MODEL, plain)]
+        self.assertEqual(*[{key: fact[key] for key in ("cells", "curves", "vertices")} for fact in facts])
+
+
+class RingsOfOneHole(CommandLine):
     PLATE = [[0, 0], [400, 0], [400, 300], [0, 300]]
 
     def mesh_of(self, circle, *options, outer=None):

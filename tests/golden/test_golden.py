@@ -22,6 +22,7 @@ MODELS = {
     "criteria": ["models/structures/gusset.json", "--criteria", "csr-fine"],
     "threads": ["models/structures/web-frame.json", "--threads", "4"],
     "far away": ["models/hard/offset-1e7.json"],
+    "rings": ["models/layout/bolt-rings.json"],
     "graded": ["models/hard/size-jump-100.json"],
 }
 NO_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4"}

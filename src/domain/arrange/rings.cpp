@@ -1,4 +1,4 @@
-// Second step of `arrange`: the rings that circles ask for become circles round them, where there is room.
+// Second step of `arrange`: the rings that circles ask for are marked off by a circle round them, where there is room.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -180,18 +180,16 @@ class RingMaker {
 
   void make(const Request& r) {
     if (r.n < r.asked) tell(r);
-    if (r.n == 0 && !r.circle.edges) return;
     work_.washers.push_back(
-        {r.route, r.circle.edges.value_or(0), static_cast<std::uint32_t>(work_.routes.size()), r.n});
-    for (std::uint32_t i = 1; i <= r.n; ++i) {
-      const Circle ring{r.circle.center, r.circle.radius + i * r.width};
-      Route route{.where = where(r), .size = kInfinity};
-      add_circle(work_, ring, route);
-      work_.routes.push_back(std::move(route));
-      for (const Point end : r.ends)
-        work_.vertices.push_back(
-            {.at = ring.center + (ring.radius / r.circle.radius) * (end - ring.center), .rank = Rank::Point});
-    }
+        {r.route, r.circle.edges.value_or(0), r.n, static_cast<std::uint32_t>(work_.routes.size())});
+    if (r.n == 0) return;
+    const Circle outer{r.circle.center, r.circle.radius + r.n * r.width};
+    Route route{.where = where(r), .size = kInfinity};
+    add_circle(work_, outer, route);
+    work_.routes.push_back(std::move(route));
+    for (const Point end : r.ends)
+      work_.vertices.push_back(
+          {.at = outer.center + (outer.radius / r.circle.radius) * (end - outer.center), .rank = Rank::Point});
   }
 
   void tell(const Request& r) {

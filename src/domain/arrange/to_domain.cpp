@@ -7,6 +7,7 @@
 #include "base/constants.hpp"
 #include "domain/arrange/unique_names.hpp"
 #include "domain/arrange/work.hpp"
+#include "domain/circle_parts.hpp"
 
 namespace quadline::arrangement {
 
@@ -118,7 +119,7 @@ class Builder {
     }
   }
 
-  /// Rings are no paths of the model.
+  /// The circles round rings are none of the model.
   std::uint32_t n_paths() const {
     const Model& model = work_.model;
     return static_cast<std::uint32_t>(model.outer.size() + model.holes.size() + model.lines.size());
@@ -128,7 +129,7 @@ class Builder {
     std::set<std::pair<std::uint32_t, std::uint32_t>> shared;
     for (std::uint32_t r = 0; r < n_paths(); ++r) {
       const Route& route = work_.routes[r];
-      Domain::Path path{.name = route.name, .kind = route.kind, .curves = {}};
+      Domain::Path path{.name = route.name, .kind = route.kind, .curves = {}, .where = route.where};
       std::set<CurveId> used;
       bool is_outside = false, is_repeated = false;
       Point left_at, repeated_at;  // where the route crosses the boundary first; its start where it does not
@@ -177,41 +178,32 @@ class Builder {
   }
 
   void add_washers() {
-    IdVector<VertexId, bool> is_taken(out_.vertices.count(), false);
-    for (const Washer& given : work_.washers) {
-      Domain::Washer washer{.path = given.route, .edges = given.edges, .circles = {}};
-      washer.circles.push_back(whole_circle(work_.routes[given.route]));
-      if (const char* why = unfit(washer, is_taken)) {
-        const Route& route = work_.routes[given.route];
-        lose("'" + route.name + "' gets no edges or rings of its own: " + why, route.where, route.start);
+    for (const Washer& washer : work_.washers) {
+      const Route& route = work_.routes[washer.route];
+      const std::vector<DirectedCurve> circle = whole_circle(route);
+      if (circle.empty()) {
+        lose("'" + route.name + "' gets no edges or rings of its own: it does not lie in the domain as a whole",
+             route.where, route.start);
         continue;
       }
-      for (const DirectedCurve& d : washer.circles[0]) is_taken[out_.curves[d.curve].tail] = true;
-      for (std::uint32_t i = 0; i < given.n_rings; ++i) add_ring(work_.routes[given.first_ring + i], washer);
-      for (const std::vector<DirectedCurve>& circle : washer.circles)
-        for (const DirectedCurve& d : circle) out_.curves[d.curve].edges_round = washer.edges;
-      out_.washers.push_back(std::move(washer));
+      if (washer.edges > 0) set_edges(washer, circle);
+      if (washer.rings > 0) add_rings(washer);
     }
   }
 
-  /// Why the number of edges cannot be held, or null. Two numbers of circles that touch might not both be even.
-  const char* unfit(const Domain::Washer& washer, const IdVector<VertexId, bool>& is_taken) const {
-    const std::vector<DirectedCurve>& circle = washer.circles[0];
-    if (circle.empty()) return "it does not lie in the domain as a whole";
-    if (washer.edges > 0 && washer.edges < circle.size()) return "it has more corners than edges";
-    for (const DirectedCurve& d : circle)
-      if (is_taken[out_.curves[d.curve].tail] || is_taken[out_.curves[d.curve].head])
-        return "it touches another circle that has them";
-    return nullptr;
+  void set_edges(const Washer& washer, const std::vector<DirectedCurve>& circle) {
+    const Route& route = work_.routes[washer.route];
+    if (washer.edges >= circle.size()) return share_edges(out_, circle, washer.edges);
+    lose("'" + route.name + "' does not get " + std::to_string(washer.edges) + " edges: it has more corners",
+         route.where, route.start);
   }
 
-  void add_ring(const Route& route, Domain::Washer& washer) {
-    washer.circles.push_back(whole_circle(route));
-    for (const DirectedCurve& d : washer.circles.back()) {
-      Domain::Curve& curve = out_.curves[d.curve];
-      curve.is_auxiliary = true;
-      out_.cells[curve.left].is_ring = true;
-    }
+  void add_rings(const Washer& washer) {
+    const std::vector<DirectedCurve> outer = whole_circle(work_.routes[washer.outer]);
+    QUADLINE_CHECK(!outer.empty());  // there is room for it
+    for (const DirectedCurve& d : outer) out_.curves[d.curve].is_auxiliary = true;
+    out_.cells[out_.curves[outer[0].curve].left].rings = washer.rings;
+    if (washer.edges >= outer.size()) share_edges(out_, outer, washer.edges);
   }
 
   std::uint32_t face_at(Point p) const {
@@ -256,14 +248,14 @@ class Builder {
 
   /// Rings belong to the cell around them.
   CellId around_rings(CellId cell) const {
-    while (cell.valid() && out_.cells[cell].is_ring) cell = out_.curves[out_.cells[cell].walks[0][0].curve].right;
+    while (cell.valid() && out_.cells[cell].rings > 0) cell = out_.curves[out_.cells[cell].walks[0][0].curve].right;
     return cell;
   }
 
   void name_rings() {
     for (std::size_t i = 0; i < out_.cells.count(); ++i) {
       Domain::Cell& cell = out_.cells[CellId(i)];
-      if (!cell.is_ring) continue;
+      if (cell.rings == 0) continue;
       const Domain::Cell& around = out_.cells[around_rings(CellId(i))];
       cell.region = around.region;
       cell.size = around.size;

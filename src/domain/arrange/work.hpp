@@ -55,12 +55,12 @@ struct Route {
   std::vector<DirectedCurve> uses{};  ///< pieces in order
 };
 
-/// A circle of the model that asks for a number of edges or for rings.
+/// A circle of the model that asks for a number of edges, or for rings round it.
 struct Washer {
-  std::uint32_t route;       ///< of the circle
-  std::uint32_t edges;       ///< 0: by the sizes
-  std::uint32_t first_ring;  ///< route of the first ring; the others follow, outwards
-  std::uint32_t n_rings;     ///< that have room
+  std::uint32_t route;  ///< of the circle
+  std::uint32_t edges;  ///< 0: by the sizes
+  std::uint32_t rings;  ///< that have room
+  std::uint32_t outer;  ///< where there are rings: route of the circle round them
 };
 
 struct Work {
@@ -71,9 +71,9 @@ struct Work {
   Box box{};            ///< of the outer loops
   IdVector<VertexId, Vertex> vertices{};
   IdVector<CurveId, Piece> pieces{};
-  std::vector<CurvePiece> steps{};       ///< of the paths, as given; `origin` counts them
-  std::vector<Route> routes{};           ///< outer loops, holes, lines, in the order of the model; then rings
-  std::vector<Washer> washers{};         ///< in the order of the routes
+  std::vector<CurvePiece> steps{};  ///< of the paths, as given; `origin` counts them
+  std::vector<Route> routes{};      ///< outer loops, holes, lines, in the order of the model; then circles round rings
+  std::vector<Washer> washers{};    ///< in the order of the routes
   std::vector<VertexId> point_vertex{};  ///< of every point of the model
   std::vector<Finding> findings{};
 
@@ -112,8 +112,9 @@ Work read_input(const Model& model, const Options& options);
 /// Lays out a circle: two pieces, from its east to its west and back.
 void add_circle(Work& work, const Circle& circle, Route& route);
 
-/// Lays out circles for the rings that the model asks for, as far as there is room: a third of their width stays free
-/// beyond them. What there is no room for is a finding. O((n + m) log n) for n pieces and m of them near the rings.
+/// Lays out a circle round the rings that a circle of the model asks for, as far as there is room: a third of their
+/// width stays free beyond them. What there is no room for is a finding. O((n + m) log n) for n pieces and m of them
+/// near the rings.
 /// @throws InputError where the rings alone need more quads than allowed.
 void add_rings(Work& work, const Options& options);
 

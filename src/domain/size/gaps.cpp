@@ -89,7 +89,7 @@ class GapFinder {
 
   void look_along_normals(CurveId id, bool is_left) {
     const CellId cell = cell_on(domain_.curves[id], is_left);
-    if (!cell.valid() || domain_.cells[cell].is_ring) return;
+    if (!cell.valid() || domain_.cells[cell].rings > 0) return;
     const CurvePiece& piece = domain_.curves[id].piece;
     const double base = domain_.cells[cell].size, whole = length(piece),
                  reach = std::min(base, sizes_[id]) / kGapStretch;
@@ -162,7 +162,7 @@ class GapFinder {
     const Point q = point_at(other, at);
     const DirectedCurve out = sector(v, q - p);
     const CellId cell = cell_on(domain_.curves[out.curve], !out.reversed);
-    if (!cell.valid() || domain_.cells[cell].is_ring) return;
+    if (!cell.valid() || domain_.cells[cell].rings > 0) return;
     const double base = domain_.cells[cell].size;
     for (std::uint32_t k = star_start_[v.value]; k < star_start_[v.value + 1]; ++k)
       if (share_vertex(domain_.curves[star_[k].curve], domain_.curves[hit.curve])) return;

@@ -65,21 +65,6 @@ double base_size(const Domain& domain, const Domain::Curve& curve) {
   return base;
 }
 
-namespace {
-
-/// The edges that a circle and its rings are given ask for the size that they have.
-void follow_edges(const Domain& domain, const Domain::Washer& washer, CurveSizes& curves) {
-  for (const std::vector<DirectedCurve>& circle : washer.circles)
-    for (const DirectedCurve& d : circle) {
-      const Domain::Curve& curve = domain.curves[d.curve];
-      const double size = curvature_size(curve.piece.radius, washer.edges);
-      curves.sizes[d.curve] = std::min({base_size(domain, curve), curve.size, size});
-      curves.least_edges[d.curve] = 1;
-    }
-}
-
-}  // namespace
-
 CurveSizes curve_sizes(const Domain& domain, const Options& options) {
   const Continuations ends(domain);
   CurveSizes curves;
@@ -88,9 +73,12 @@ CurveSizes curve_sizes(const Domain& domain, const Options& options) {
     const double base = base_size(domain, curve), own = length(piece);
     double size = std::min(base, curve.size), least = 1;
     if (piece.is_arc()) {
-      const double edges = circle_edges(piece.radius, base, options.edges_per_circle);
+      const double turn = std::abs(piece.sweep);
+      const double edges = curve.edges > 0 ? curve.edges * (2 * std::numbers::pi) / turn
+                                           : circle_edges(piece.radius, base, options.edges_per_circle);
       if (!curve.has_rings) size = std::min(size, curvature_size(piece.radius, edges));
-      least = std::max(1.0, std::ceil(edges * std::abs(piece.sweep) / (2 * std::numbers::pi) - kCountSlack));
+      least =
+          curve.edges > 0 ? curve.edges : std::max(1.0, std::ceil(edges * turn / (2 * std::numbers::pi) - kCountSlack));
     }
     // A chain of short curves is a small feature and gets its size; a lone short one is a nick.
     const double beside = std::max(ends.beyond(curve.tail, own), ends.beyond(curve.head, own));
@@ -100,8 +88,6 @@ CurveSizes curve_sizes(const Domain& domain, const Options& options) {
     curves.sizes.push_back(is_asked ? size : base);
     curves.least_edges.push_back(static_cast<std::uint32_t>(least));
   }
-  for (const Domain::Washer& washer : domain.washers)
-    if (washer.edges > 0) follow_edges(domain, washer, curves);
   return curves;
 }
 

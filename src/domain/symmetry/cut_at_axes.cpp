@@ -113,7 +113,7 @@ class AxisCutter {
     for (const CutEnd& end : {from.end, to.end}) {
       if (!end.curve.valid()) continue;
       const CurvePiece& piece = domain_.curves[end.curve].piece;
-      if (0.5 * length(piece) < kLeastHalf * size) return false;
+      if (0.5 * length(piece) < kLeastHalf * size || domain_.curves[end.curve].edges % 2 != 0) return false;
       // It would need an even number of edges, and those beside it on the circle would not.
       if (!symmetry_.is_whole_circle[end.curve] && goes_on(end.curve)) return false;
     }

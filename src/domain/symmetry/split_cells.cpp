@@ -55,6 +55,7 @@ class CurveSplitter {
     const double whole = length(first.piece), half = 0.5 * whole;
     const CurvePiece piece = first.piece;
     const Point middle = point_at(piece, half);
+    first.edges /= 2;
     Domain::Curve second = first;
     first.head = second.tail = domain_.vertices.push_back({middle});
     first.piece = sub_piece(piece, 0, half, piece.a, middle);

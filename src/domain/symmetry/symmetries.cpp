@@ -131,7 +131,7 @@ class Finder {
         std::swap(to.first, to.second);
       for (const auto& [a, b] : {std::pair(circle.first, to.first), std::pair(circle.second, to.second)}) {
         const Domain::Curve &from = domain_.curves[a], &into = domain_.curves[b];
-        if (!is_same(from.size, into.size)) return false;
+        if (!is_same(from.size, into.size) || from.edges != into.edges) return false;
         const bool is_back =
             (from.piece.sweep > 0) == (into.piece.sweep > 0) ? found.move.is_mirrored : !found.move.is_mirrored;
         found.curves[a] = {b, is_back};
@@ -150,7 +150,7 @@ class Finder {
       const Domain::Curve &from = domain_.curves[CurveId(i)], &to = domain_.curves[CurveId(image)];
       const VertexId tail = found.vertices[from.tail], head = found.vertices[from.head];
       const bool is_along = tail == to.tail && head == to.head, is_back = tail == to.head && head == to.tail;
-      if (!(is_along || is_back) || !is_same(from.size, to.size)) return false;
+      if (!(is_along || is_back) || !is_same(from.size, to.size) || from.edges != to.edges) return false;
       found.curves[CurveId(i)] = {CurveId(image), is_back};
     }
     return true;
@@ -177,7 +177,8 @@ class Finder {
     if (!from.valid() || !to.valid()) return from == to;
     if (!found.cells[from].valid()) {
       found.cells[from] = to;
-      return is_same(domain_.cells[from].size, domain_.cells[to].size);
+      return is_same(domain_.cells[from].size, domain_.cells[to].size) &&
+             domain_.cells[from].rings == domain_.cells[to].rings;
     }
     return found.cells[from] == to;
   }

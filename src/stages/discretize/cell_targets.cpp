@@ -73,8 +73,7 @@ void crowd_polygons(const Domain& domain, IdVector<CurveId, CountTarget>& target
       factors[d.curve] *= domain.curves[d.curve].is_boundary() ? factor : std::sqrt(factor);
   }
   for (std::size_t i = 0; i < targets.count(); ++i)
-    if (CountTarget& target = targets[CurveId(i)]; !target.is_wished && target.exact == 0)
-      target.length *= factors[CurveId(i)];
+    if (CountTarget& target = targets[CurveId(i)]; !target.is_wished) target.length *= factors[CurveId(i)];
 }
 
 }  // namespace quadline

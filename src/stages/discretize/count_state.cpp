@@ -12,14 +12,11 @@ constexpr double kWishWeight = 400;  // as much for one edge of forty as else fo
 }
 
 double count_cost(const CountTarget& target, std::uint32_t count) {
-  constexpr double kMissed = 1e6;  // more than all else may cost
-  if (target.exact > 0) return count == target.exact ? 0 : kMissed;
   const double n = count, off = n - target.length;
   return (target.is_wished ? kWishWeight : 1) * (off * off) / (n * target.length);
 }
 
 std::uint32_t best_count(const CountTarget& target, std::uint32_t parity) {
-  if (target.exact > 0) return target.exact + ((target.exact & 1) != parity);
   const double whole = std::floor(std::min(target.length, 1e9));
   std::uint32_t low = std::max(target.least, static_cast<std::uint32_t>(whole));
   if ((low & 1) != parity) low = low > target.least ? low - 1 : low + 1;

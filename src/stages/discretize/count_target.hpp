@@ -13,7 +13,6 @@ struct CountTarget {
   bool is_halved = false;   ///< its edges come in pairs, each made of one
   CurveId twin{};           ///< the other half of a circle, which gets the same count; invalid: none
   bool is_wished = false;   ///< for a grid, which needs just the length: another count costs so much more
-  std::uint32_t exact = 0;  ///< where given, no other number will do unless there is no way with it
 
   /// An odd number will not do. A circle with a multiple of four suits the rows round it.
   bool is_even() const { return is_halved || twin.valid(); }

@@ -12,7 +12,6 @@
 #include "stages/discretize/chords.hpp"
 #include "stages/discretize/intervals.hpp"
 #include "stages/discretize/metric_length.hpp"
-#include "stages/discretize/washer_counts.hpp"
 
 namespace quadline {
 namespace {
@@ -36,7 +35,6 @@ class Discretizer {
     uses_.assign(domain.curves.count(), EdgeUse::Whole);
     for (const CurveId c : curves_round(domain, halved)) uses_[c] = EdgeUse::Halved;
     for (std::size_t i = 0; i < domain.cells.count(); ++i) all_halved_ &= halved.contains(CellId(i));
-    find_washers();
   }
 
   void choose_places() {
@@ -50,7 +48,6 @@ class Discretizer {
     IdVector<CurveId, CountTarget> targets;
     targets.reserve(domain_.curves.count());
     for (std::size_t i = 0; i < domain_.curves.count(); ++i) targets.push_back(target(CurveId(i), lengths[CurveId(i)]));
-    set_washer_counts(domain_, all_halved_, targets);
     counts_ = choose_counts(domain_, std::move(targets));
     for (std::size_t i = 0; i < counts_.count(); ++i) counts_[CurveId(i)] /= nodes_apart(CurveId(i));
     places_.assign(counts_.count(), {});
@@ -65,11 +62,7 @@ class Discretizer {
       std::vector<CurveId> coarse = too_coarse_arcs(domain_, lines_, uses_);
       if (coarse.empty()) return;
       add_twins(coarse);
-      add_washers(coarse);
-      for (CurveId c : coarse) {
-        const std::uint32_t steps = counts_[c] * nodes_apart(c) / unit(c);
-        counts_[c] += 2 * (steps / 4 + 1) * unit(c) / nodes_apart(c);
-      }
+      for (CurveId c : coarse) counts_[c] += 2 * (counts_[c] / 4 + 1);
       place_all();
     }
   }
@@ -96,6 +89,7 @@ class Discretizer {
   /// Else they are those of the mesh in the end.
   CountTarget target(CurveId c, double length) const {
     const std::uint32_t least = size_.least_edges(c);
+    if (const std::uint32_t given = domain_.curves[c].edges; given > 0) return given_target(c, given);
     if (all_halved_) return {length / 2, (least + 1) / 2, false, twins_[c]};
     if (!wished_.empty() && wished_[c] > 0 && uses_[c] == EdgeUse::Whole)
       return {static_cast<double>(wished_[c]), std::max(least, wished_[c]), false, twins_[c], true};
@@ -103,25 +97,10 @@ class Discretizer {
     return {length, target.is_even() ? least + least % 2 : least, target.is_halved, target.twin};
   }
 
-  void find_washers() {
-    is_on_washer_.assign(domain_.curves.count(), false);
-    is_halved_washer_.assign(domain_.curves.count(), false);
-    for (const Domain::Washer& washer : domain_.washers) {
-      const std::vector<CurveId> curves = curves_of(washer);
-      const bool is_halved =
-          std::any_of(curves.begin(), curves.end(), [&](CurveId c) { return uses_[c] == EdgeUse::Halved; });
-      for (const CurveId c : curves) {
-        is_on_washer_[c] = true;
-        is_halved_washer_[c] = is_halved;
-      }
-    }
-  }
-
-  static std::vector<CurveId> curves_of(const Domain::Washer& washer) {
-    std::vector<CurveId> curves;
-    for (const auto& circle : washer.circles)
-      for (const DirectedCurve& d : circle) curves.push_back(d.curve);
-    return curves;
+  CountTarget given_target(CurveId c, std::uint32_t given) const {
+    const std::uint32_t count = all_halved_ ? (given + 1) / 2 : given;
+    const CurveId twin = count % 2 == 0 ? twins_[c] : CurveId();
+    return {static_cast<double>(count), count, uses_[c] == EdgeUse::Halved && !all_halved_, twin, true};
   }
 
   void add_twins(std::vector<CurveId>& curves) const {
@@ -129,19 +108,6 @@ class Discretizer {
       if (const CurveId twin = twins_[curves[i]]; twin.valid()) curves.push_back(twin);
     std::sort(curves.begin(), curves.end());
     curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
-  }
-
-  /// All circles of a washer get more edges, or none: they share their rays.
-  void add_washers(std::vector<CurveId>& curves) const {
-    for (const Domain::Washer& washer : domain_.washers) {
-      const std::vector<CurveId> all = curves_of(washer);
-      if (std::none_of(all.begin(), all.end(),
-                       [&](CurveId c) { return std::binary_search(curves.begin(), curves.end(), c); }))
-        continue;
-      curves.insert(curves.end(), all.begin(), all.end());
-      std::sort(curves.begin(), curves.end());
-      curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
-    }
   }
 
   /// Limits the growth of sizes along arcs, and from one to those beyond its ends.
@@ -167,9 +133,6 @@ class Discretizer {
   /// Edges of the mesh in the end from one node to the next, against those on other curves.
   std::uint32_t nodes_apart(CurveId c) const { return uses_[c] == EdgeUse::Halved && !all_halved_ ? 2 : 1; }
 
-  /// Edges that a curve gets at once: as any circle of its washer.
-  std::uint32_t unit(CurveId c) const { return is_halved_washer_[c] && !all_halved_ ? 2 : nodes_apart(c); }
-
   /// Edges over what the sizes ask for.
   double density(CurveId c) const { return counts_[c] * nodes_apart(c) / metrics_[c].total(); }
 
@@ -182,13 +145,19 @@ class Discretizer {
     for (std::size_t i = 0; i < counts_.count(); ++i) {
       const CurveId c(i);
       const CurvePiece& piece = domain_.curves[c].piece;
-      places_[c] = is_on_washer_[c]
+      places_[c] = is_beside_rings(c)
                        ? even_places(length(piece), counts_[c])
                        : metrics_[c].places(counts_[c], {crowding(c, chains_[c][0]), crowding(c, chains_[c][1])});
       lines_[c].assign(1, piece.a);
       for (double s : places_[c]) lines_[c].push_back(point_at(piece, s));
       lines_[c].push_back(piece.b);
     }
+  }
+
+  /// Then its nodes stand on the rays of the other circle's.
+  bool is_beside_rings(CurveId c) const {
+    const auto has_rings = [&](CellId cell) { return cell.valid() && domain_.cells[cell].rings > 0; };
+    return has_rings(domain_.curves[c].left) || has_rings(domain_.curves[c].right);
   }
 
   const Domain& domain_;
@@ -200,8 +169,6 @@ class Discretizer {
   IdVector<CurveId, std::uint32_t> counts_;  ///< edges on each curve as it is placed
   IdVector<CurveId, CurveId> twins_;         ///< see CountTarget
   bool all_halved_ = true;
-  IdVector<CurveId, bool> is_halved_washer_;  ///< on a washer of which one circle is halved
-  IdVector<CurveId, bool> is_on_washer_;      ///< nodes at equal distances: those of all its circles lie on common rays
   IdVector<CurveId, std::vector<double>> places_;  ///< arc lengths of the nodes inside each curve
   Polylines lines_;
 };

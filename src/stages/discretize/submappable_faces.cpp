@@ -98,7 +98,7 @@ void even_out(const std::vector<SubmappableFace>& submaps, IdVector<CurveId, Cou
       }
     for (std::size_t i = 0; i < targets.count(); ++i) {
       const CurveId c(i);
-      if (factors[c].count == 0 || targets[c].is_wished || targets[c].exact > 0) continue;
+      if (factors[c].count == 0 || targets[c].is_wished) continue;
       const double l = original[c].length;
       const double factor = factors[c].count == 1 ? factors[c].product : std::sqrt(factors[c].product);
       targets[c].length = std::clamp(targets[c].length * factor, l / kMostCoarsened, l * most[c]);

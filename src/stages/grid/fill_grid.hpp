@@ -25,11 +25,14 @@ struct GridPlan {
   std::size_t inner = 0;      ///< polar: the inner walk of the ring
   int columns = 0, rows = 0;  ///< as planned; with others the holes go to the nearest places
   std::vector<GridHole> holes{};
+  /// > 0: so many rows of equal width between the two circles of a ring, as the model asks for; the rest tells nothing.
+  int rings = 0;
   bool is_disk = false;  ///< see `fill_disk`; `rows` are its rings
 };
 
 /// Fills a cell whose corners turn in quarter turns with a grid (submapping), and puts rings round its round holes; or
-/// the ring between two walks that do not turn, in a polar frame; or a disk.
+/// the ring between two walks that do not turn, in a polar frame; or a disk. Rings that the model asks for get nodes on
+/// straight rays from the nodes of the one circle to those of the other.
 ///
 /// Nodes inside come to lie between the nearest ones of curves in their row and column, in the coordinates of the
 /// frame.

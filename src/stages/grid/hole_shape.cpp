@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "domain/circle_parts.hpp"
 #include "domain/size/size_sources.hpp"
 #include "domain/walk_turns.hpp"
 
@@ -32,7 +33,7 @@ double edges_asked(const Domain& domain, const std::vector<DirectedCurve>& walk)
   double sum = 0;
   for (const DirectedCurve& d : walk) {
     const Domain::Curve& curve = domain.curves[d.curve];
-    sum += length(curve.piece) / std::min(curve.size, base_size(domain, curve));
+    sum += curve.edges > 0 ? curve.edges : length(curve.piece) / std::min(curve.size, base_size(domain, curve));
   }
   return sum;
 }
@@ -46,10 +47,7 @@ double finer_edges(const Domain& domain, CellId c, const std::vector<DirectedCur
 
 std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWalk& inner, const GridFrame& frame) {
   const auto& walk = domain.cells[c].walks[inner.walk];
-  HoleShape shape{.walk = inner.walk,
-                  .given = static_cast<int>(domain.curves[walk[0].curve].edges_round),
-                  .asked = edges_asked(domain, walk)};
-  if (shape.given % 4 != 0 || shape.given == 4) return std::nullopt;
+  HoleShape shape{.walk = inner.walk, .asked = edges_asked(domain, walk)};
   for (const DirectedCurve& d : walk) {
     shape.around += length(domain.curves[d.curve].piece);
     shape.area -= (d.reversed ? -0.5 : 0.5) * twice_area_under(domain.curves[d.curve].piece, domain.box.lo);
@@ -59,6 +57,8 @@ std::optional<HoleShape> shape_of(const Domain& domain, CellId c, const InnerWal
     shape.radius = inner.circle->radius;
     shape.across = {2 * shape.radius, 2 * shape.radius};
     shape.arcs = 2;
+    shape.given = given_edges(domain, walk);
+    if (shape.given % 4 != 0 || shape.given == 4) return std::nullopt;
     return shape;
   }
   const std::vector<int> quads = quads_along(domain, walk);
@@ -94,11 +94,15 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
   for (std::size_t side : {0u, 1u})
     counts.k[side] = std::max(
         2, static_cast<int>(std::floor(hole.across[side] / h + kRooms[static_cast<std::size_t>(variant)] + 0.5)));
+  if (hole.given > 0) {
+    counts.k[0] = counts.k[1] = static_cast<int>(hole.given / 4);
+    counts.arc = hole.given / 2;
+    counts.more_rings = kRooms[static_cast<std::size_t>(variant)] > kRooms[0] ? 1 : 0;
+    return counts;
+  }
   if (hole.is_circle()) {
-    const int asked = static_cast<int>(std::floor(0.25 * hole.asked + 0.5));
-    counts.k[0] = hole.given > 0 ? hole.given / 4 : std::max({counts.k[0], static_cast<int>(0.25 * turn), asked});
-    counts.k[1] = counts.k[0];
-    counts.more_rings = hole.given > 0 && kRooms[static_cast<std::size_t>(variant)] > kRooms[0] ? 1 : 0;
+    const double asked = std::floor(0.25 * hole.asked + 0.5);
+    counts.k[0] = counts.k[1] = std::max({counts.k[0], static_cast<int>(0.25 * turn), static_cast<int>(asked)});
     counts.arc = static_cast<std::uint32_t>(2 * counts.k[0]);
     return counts;
   }
@@ -124,7 +128,7 @@ HoleCounts counts_of(const HoleShape& hole, double h, int variant, const Options
 }
 
 bool is_too_fine(const HoleShape& hole, double h) {
-  return std::max(hole.asked, double(hole.given)) > 4 * kMostFiner * (std::max(hole.across[0], hole.across[1]) / h + 1);
+  return hole.asked > 4 * kMostFiner * (std::max(hole.across[0], hole.across[1]) / h + 1);
 }
 
 void grow(HoleCounts& counts, const HoleShape& hole, std::size_t side) {

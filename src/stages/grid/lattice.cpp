@@ -21,6 +21,7 @@ Lattice::Lattice(int columns, int rows, bool is_ring) : columns_(columns), rows_
   const std::size_t n = static_cast<std::size_t>(columns + 1) * static_cast<std::size_t>(rows + 1);
   nodes_.assign(n, NodeId());
   on_boundary_.assign(n, 0);
+  on_rim_.assign(n, 0);
   inside_.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
 }
 
@@ -62,10 +63,14 @@ bool Lattice::cut(const Patch& patch) {
       if (i > c.i && j > c.j && is_on_boundary({i, j})) return false;
       inside_[square(i, j)] = 0;
     }
+  for (int j = c.j; j <= c.j + patch.rows; ++j)  // where two patches meet no quad is beside it
+    for (int i = c.i; i <= c.i + patch.columns; ++i)
+      if (j == c.j || j == c.j + patch.rows || i == c.i || i == c.i + patch.columns) on_rim_[index({i, j})] = 1;
   return true;
 }
 
 bool Lattice::is_used(GridPlace p) const {
+  if (on_rim_[index(p)] != 0) return true;
   for (int j = p.j - 1; j <= p.j; ++j)
     for (int i = p.i - 1; i <= p.i; ++i)
       if (i >= 0 && i < columns_ && (is_ring_ || (j >= 0 && j < rows_)) && is_quad(i, j)) return true;

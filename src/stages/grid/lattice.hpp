@@ -50,7 +50,7 @@ class Lattice {
   bool cut(const Patch& patch);
   /// A square whose corner of least i and j is at p is a quad.
   bool is_quad(int i, int j) const { return inside_[square(i, j)] > 0; }
-  /// Inside, or on the rim of a patch or of the cell.
+  /// A corner of a quad, or on the rim of a patch.
   bool is_used(GridPlace p) const;
 
  private:
@@ -68,7 +68,7 @@ class Lattice {
   int columns_, rows_;
   bool is_ring_;
   std::vector<NodeId> nodes_;
-  std::vector<std::uint8_t> on_boundary_;
+  std::vector<std::uint8_t> on_boundary_, on_rim_;
   std::vector<std::int8_t> inside_;  ///< by squares: first the steps of the winding number, then 1 or 0
 };
 

@@ -1,12 +1,16 @@
 #include "stages/grid/plan_grids.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "base/constants.hpp"
+#include "domain/circle_parts.hpp"
+#include "domain/size/size_sources.hpp"
 #include "domain/whole_circle.hpp"
+#include "stages/grid/hole_shape.hpp"
 
 namespace quadline {
 
@@ -19,6 +23,9 @@ using Cost = std::function<double(const Domain&, CellId, const GridProposal&)>;
 void mark_rings(Domain& domain, CellId c, const GridProposal& proposal, bool has_rings) {
   for (const GridHole& hole : proposal.plan.holes)
     for (const DirectedCurve& d : domain.cells[c].walks[hole.walk]) domain.curves[d.curve].has_rings = has_rings;
+  if (proposal.plan.rings == 0) return;
+  for (const DirectedCurve& d : domain.cells[c].walks[1])
+    if (domain.curves[d.curve].is_boundary()) domain.curves[d.curve].has_rings = has_rings;
 }
 
 void add_wishes(GridPlans& plans, const GridProposal& proposal) {
@@ -35,24 +42,91 @@ class Planner {
     is_turned_.assign(domain.curves.count(), false);
   }
 
+  // What rings of the model get from the grids round them they have for good: the other grids are planned for that.
   GridPlans run() {
-    if (options_.size_at) return std::move(plans_);
+    plan_cells();
+    if (number_rings()) {
+      CellSet all;
+      for (std::size_t i = 0; i < domain_.cells.count(); ++i) all.insert(CellId(i));
+      plans_.drop(all, domain_);
+      is_turned_.assign(domain_.curves.count(), false);
+      plan_cells();
+    }
+    for (std::size_t i = 0; i < domain_.cells.count(); ++i)
+      if (domain_.cells[CellId(i)].rings > 0) plan_rings(CellId(i));
+    plan_disks();
+    return std::move(plans_);
+  }
+
+ private:
+  bool has_grids() const { return options_.method == Method::Layout && !options_.size_at; }
+
+  void plan_cells() {
+    if (!has_grids()) return;
     // Rings come last: their circles may be holes of other cells, and follow them.
     for (const bool is_ring : {false, true})
       for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
         const CellId c(i);
         const std::optional<WholeCircle> outer = circles_.find(domain_, walk(c, 0));
-        if (outer.has_value() != is_ring || domain_.cells[c].is_ring || !has_one_size(c)) continue;
+        if (outer.has_value() != is_ring || domain_.cells[c].rings > 0 || !has_one_size(c)) continue;
         plan(c, outer, inner_walks(c));
       }
-    for (const Domain::Washer& washer : domain_.washers) follow(washer);
-    for (std::size_t i = 0; i < domain_.cells.count(); ++i)
-      if (const CellId c(i); domain_.cells[c].walks.size() == 1 && domain_.cells[c].lone_points.empty())
-        if (const std::optional<WholeCircle> circle = circles_.find(domain_, walk(c, 0))) plan_disk(c, *circle);
-    return std::move(plans_);
   }
 
- private:
+  // Both circles of rings that are given no number of edges get that of the grid round them, or what suits them.
+  bool number_rings() {
+    bool is_any = false;
+    for (std::size_t i = 0; i < domain_.cells.count(); ++i) {
+      const Domain::Cell& cell = domain_.cells[CellId(i)];
+      if (cell.rings == 0 || given_edges(domain_, cell.walks[0]) > 0) continue;
+      std::uint32_t edges = 0;
+      for (const DirectedCurve& d : cell.walks[0]) edges += plans_.counts[d.curve];
+      if (edges == 0) edges = common_edges(cell);
+      for (const auto& circle : cell.walks) share_edges(domain_, circle, edges);
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  // Between what the inner and what the outer circle ask for; such that halves and quarters are even.
+  std::uint32_t common_edges(const Domain::Cell& cell) const {
+    double product = 1;
+    for (const auto& circle : cell.walks) {
+      const double radius = domain_.curves[circle[0].curve].piece.radius;
+      product *= std::max(edges_asked(domain_, circle), circle_edges(radius, cell.size, options_.edges_per_circle));
+    }
+    const std::uint32_t step = options_.method == Method::Merge || options_.method == Method::Split ? 8 : 4;
+    const double steps = std::floor(std::sqrt(product) / step + 0.5);
+    return step * static_cast<std::uint32_t>(std::clamp(steps, 2.0, 0.25 * kMostCircleEdges));
+  }
+
+  // Where both circles may be turned they are turned alike, as the grid outside wants it or else the one inside.
+  void plan_rings(CellId c) {
+    const auto &outer = walk(c, 0), &inner = walk(c, 1);
+    if (circles_.find(domain_, outer) && circles_.find(domain_, inner)) {
+      const bool follows = is_turned_[outer[0].curve] || !is_turned_[inner[0].curve];
+      if (follows && is_turned_[inner[0].curve]) drop_inside(inner[0]);
+      const auto &leader = follows ? outer : inner, &other = follows ? inner : outer;
+      const CurvePiece& piece = domain_.curves[leader[0].curve].piece;
+      WholeCircles::turn(domain_, other, piece.a - piece.center);
+      for (const auto& circle : {outer, inner})
+        for (const DirectedCurve& d : circle) is_turned_[d.curve] = true;
+    }
+    GridProposal proposal;
+    proposal.plan.frame.origin = domain_.curves[outer[0].curve].piece.center;
+    proposal.plan.rings = static_cast<int>(domain_.cells[c].rings);
+    mark_rings(domain_, c, proposal, true);
+    plans_.cells[c] = std::move(proposal);
+  }
+
+  void drop_inside(DirectedCurve d) {
+    const Domain::Curve& curve = domain_.curves[d.curve];
+    const CellId inside = d.reversed ? curve.left : curve.right;
+    CellSet dropped;
+    if (inside.valid()) dropped.insert(inside);
+    plans_.drop(dropped, domain_);
+  }
+
   const std::vector<DirectedCurve>& walk(CellId c, std::size_t w) const { return domain_.cells[c].walks[w]; }
 
   bool has_one_size(CellId c) const {
@@ -76,6 +150,13 @@ class Planner {
     for (std::size_t w = 1; w < domain_.cells[c].walks.size(); ++w)
       inner.push_back({w, circles_.find(domain_, walk(c, w))});
     return inner;
+  }
+
+  // At last: their circles may be holes of grids, or of rings.
+  void plan_disks() {
+    for (std::size_t i = 0; has_grids() && i < domain_.cells.count(); ++i)
+      if (const CellId c(i); domain_.cells[c].walks.size() == 1 && domain_.cells[c].lone_points.empty())
+        if (const std::optional<WholeCircle> circle = circles_.find(domain_, walk(c, 0))) plan_disk(c, *circle);
   }
 
   void plan_disk(CellId c, const WholeCircle& circle) {
@@ -133,20 +214,6 @@ class Planner {
     mark_rings(domain_, c, proposal, true);
     add_wishes(plans_, proposal);
     plans_.cells[c] = std::move(proposal);
-  }
-
-  // Where a grid has turned the outermost circle of a washer, the others turn with it and have its edges.
-  void follow(const Domain::Washer& washer) {
-    const std::optional<GivenCircle> outermost = given(washer.circles.back());
-    if (!outermost) return;
-    for (const std::vector<DirectedCurve>& circle : washer.circles) {
-      if (is_turned_[circle[0].curve] || !circles_.find(domain_, circle)) continue;
-      WholeCircles::turn(domain_, circle, outermost->start);
-      for (const DirectedCurve& d : circle) {
-        is_turned_[d.curve] = true;
-        plans_.counts[d.curve] = outermost->rays / 2;
-      }
-    }
   }
 
   Domain& domain_;

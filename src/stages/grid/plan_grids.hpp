@@ -24,8 +24,11 @@ struct GridPlans {
 /// two concentric circles. In the domain their whole circles are turned, so that the ends of the two arcs lie where the
 /// grid wants them, and holes with rings are marked.
 ///
-/// Cells with a line, a point or a neighbour of lesser size get no plan: their grids could not grade. No cell gets one
-/// where a function of place gives sizes.
+/// Rings that the model asks for are planned by every method; their circles get the number of edges that the grid round
+/// them has there, or what suits their sizes, unless it is given.
+///
+/// Cells with a line, a point or a neighbour of lesser size get no plan: their grids could not grade. No other
+/// cell gets one where a function of place gives sizes, or by other methods than Layout.
 /// @param cost  of a proposal in the domain as it is turned for it; infinity: it will not do.
 /// @pre  no more quads are expected than Options::max_quads.
 /// Cost O(n log n) but for `cost`, which is asked `kProposals` times for each cell.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "domain/circle_parts.hpp"
 #include "domain/size/size_sources.hpp"
 #include "stages/grid/hole_shape.hpp"
 #include "stages/grid/propose_grid.hpp"
@@ -18,7 +19,7 @@ constexpr double kMostFiner = 4;       // edges over those: where the circle is 
 int least_side(const Domain& domain, CellId c, const WholeCircle& circle, const std::optional<GivenCircle>& given,
                const Options& options) {
   const auto& walk = domain.cells[c].walks[0];
-  const std::uint32_t exact = given ? given->rays : domain.curves[walk[0].curve].edges_round;
+  const std::uint32_t own = given_edges(domain, walk), exact = own > 0 || !given ? own : given->rays;
   if (exact > 0) return exact % 4 == 0 ? static_cast<int>(exact / 4) : 0;
   const double bend = circle_edges(circle.radius, domain.cells[c].size, options.edges_per_circle);
   return std::max(1, static_cast<int>(std::ceil(0.25 * std::max(bend, finer_edges(domain, c, walk)))));
@@ -37,7 +38,7 @@ std::optional<GridProposal> propose_disk(const Domain& domain, CellId c, const W
   const auto& walk = domain.cells[c].walks[0];
   const double wanted = kSide * circle.radius / domain.cells[c].size;
   const int least = least_side(domain, c, circle, given, options);
-  const bool is_exact = given || domain.curves[walk[0].curve].edges_round > 0;
+  const bool is_exact = given || given_edges(domain, walk) > 0;
   if (least == 0 || least > kMostFiner * (wanted + 1)) return std::nullopt;
   const int side = is_exact ? least : std::max(least, static_cast<int>(std::floor(wanted + 0.5)));
   GridProposal proposal;

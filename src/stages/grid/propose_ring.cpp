@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/elementary.hpp"
+#include "domain/circle_parts.hpp"
 #include "geom/angles.hpp"
 #include "stages/grid/grid_stops.hpp"
 #include "stages/grid/hole_shape.hpp"
@@ -31,8 +32,7 @@ class RingGrid {
     const auto& walks = domain.cells[c].walks;
     for (const std::size_t walk : {std::size_t{0}, inner.walk})
       asked_ = std::max(asked_, finer_edges(domain, c, walks[walk]));
-    for (const std::size_t walk : {std::size_t{0}, inner.walk})
-      given_edges_ = std::max(given_edges_, static_cast<int>(domain.curves[walks[walk][0].curve].edges_round));
+    given_ = {given_edges(domain, walks[0]), given_edges(domain, walks[inner.walk])};
     plan_.frame = {outer.center, {1, 0}, true};
     plan_.inner = inner.walk;
     for (const InnerWalk& other : others) {
@@ -42,8 +42,8 @@ class RingGrid {
                         .across = {2 * r, 2 * r},
                         .radius = r,
                         .arcs = 2,
-                        .given = static_cast<int>(domain.curves[walks[other.walk][0].curve].edges_round),
-                        .asked = edges_asked(domain, walks[other.walk])});
+                        .asked = edges_asked(domain, walks[other.walk]),
+                        .given = given_edges(domain, walks[other.walk])});
     }
     if (!holes_.empty()) plan_.frame.axis = unit(holes_[0].center - outer.center);
     // From the first on, which is at 0, whatever rounding makes of its angle.
@@ -55,21 +55,24 @@ class RingGrid {
   // Rays: for the quads that are asked for, or as the gaps between the holes round to. False where the two circles
   // cannot have so many in two equal arcs of an even number each.
   bool count_rays(double quads, int variant, const std::optional<GivenCircle>& given, const Options& options) {
-    const double by_area = std::sqrt(kFullTurn * quads / logarithm(ratio_)), wanted = std::max(asked_, by_area);
-    if (std::max(wanted, double(given_edges_)) > kMostRays * by_area) return false;
+    if (!can_have_given(given)) return false;
+    const std::uint32_t asked = std::max(given_[0], given_[1]);
+    const double by_area = std::sqrt(kFullTurn * quads / logarithm(ratio_)),
+                 wanted = asked > 0 ? asked : std::max(asked_, by_area);
+    if (wanted > kMostRays * by_area) return false;
     start_ = given ? given->start : plan_.frame.axis;
     if (holes_.empty()) {
       if (variant > 0) return false;
-      rays_ = given              ? static_cast<int>(given->rays)
-              : given_edges_ > 0 ? given_edges_
-                                 : std::max(kLeastRays, 4 * static_cast<int>(std::floor(0.25 * wanted + 0.5)));
-      return is_given(rays_);
+      rays_ = given       ? static_cast<int>(given->rays)
+              : asked > 0 ? static_cast<int>(asked)
+                          : std::max(kLeastRays, 4 * static_cast<int>(std::floor(0.25 * wanted + 0.5)));
+      return true;
     }
     if (given) return false;
     for (const double density : kDensities) {
       plan_.holes.clear();
       rays_ = place_holes(density * kDenser[static_cast<std::size_t>(variant)] * wanted, options);
-      if (rays_ % 4 == 0 && rays_ >= kLeastRays && is_given(rays_)) return true;
+      if (asked > 0 ? rays_ == static_cast<int>(asked) : rays_ % 4 == 0 && rays_ >= kLeastRays) return true;
     }
     return false;
   }
@@ -90,9 +93,16 @@ class RingGrid {
   }
 
  private:
-  bool is_given(int rays) const { return given_edges_ == 0 || rays == given_edges_; }
-
   static Point unit(Point v) { return (1 / norm(v)) * v; }
+
+  // Numbers of edges that circles are to have are the same for both, and multiples of four.
+  bool can_have_given(const std::optional<GivenCircle>& given) const {
+    for (const std::uint32_t edges : given_) {
+      if (edges % 4 != 0 || (edges > 0 && given && given->rays != edges)) return false;
+      if (edges > 0 && given_[0] + given_[1] != edges && given_[0] != given_[1]) return false;
+    }
+    return std::all_of(holes_.begin(), holes_.end(), [](const HoleShape& hole) { return hole.given % 4 == 0; });
+  }
 
   // Returns how many rays there are. The first hole has one in its middle, or two beside it. None where a hole asks for
   // too many.
@@ -102,7 +112,7 @@ class RingGrid {
       const double spacing = distance(hole.center, outer_.center) * kFullTurn / wanted;
       const HoleCounts counts = counts_of(hole, spacing, 0, options);
       stops.push_back({stops.empty() ? 0 : plan_.frame.to_frame(hole.center).y, counts.k[1], 0, 1});
-      if (is_too_fine(hole, spacing) || is_other(hole, counts)) return 0;
+      if (is_too_fine(hole, spacing)) return 0;
       plan_.holes.push_back({hole.walk, counts.k[0], counts.k[1], rings_of(hole, counts, spacing), hole.center});
     }
     GridStop again = stops.front();
@@ -116,9 +126,9 @@ class RingGrid {
 
   WholeCircle outer_;
   double ratio_;
-  int given_edges_ = 0;           // on one of the two circles, by the model; 0: none
-  double asked_ = 0;              // rays, by circles that are finer than the cell
-  std::vector<HoleShape> holes_;  // by angle
+  double asked_ = 0;                      // rays, by circles that are finer than the cell
+  std::array<std::uint32_t, 2> given_{};  // edges that the outer and the inner circle are to have
+  std::vector<HoleShape> holes_;          // by angle
   GridPlan plan_;
   Point start_{};
   int rays_ = 0;

@@ -31,9 +31,7 @@ class StraightGrid {
       if (!shape || is_too_fine(*shape, h_)) return std::nullopt;
       holes_.push_back({*shape, counts_of(*shape, h_, variant, options)});
     }
-    make_parities_alike();
-    if (std::any_of(holes_.begin(), holes_.end(), [](const Hole& hole) { return is_other(hole.shape, hole.counts); }))
-      return std::nullopt;
+    if (!make_parities_alike()) return std::nullopt;
     collect_stops();
     for (auto& stops : stops_) {
       place_stops(stops, kDensities[static_cast<std::size_t>(variant)] * density(quads), kTogether * h_);
@@ -113,15 +111,20 @@ class StraightGrid {
   }
 
   // Holes with their middles in one row (or column) all have one there, or a line between two: if one does not suit,
-  // all holes of the cell follow the largest.
-  void make_parities_alike() {
-    if (!has_mixed(0) && !has_mixed(1)) return;
-    const auto largest = std::max_element(
-        holes_.begin(), holes_.end(), [](const Hole& a, const Hole& b) { return a.counts.edges() < b.counts.edges(); });
-    const int parity = largest->counts.k[0] & 1;
+  // all holes of the cell follow the largest, or those whose edges are given. False where these differ.
+  bool make_parities_alike() {
+    if (!has_mixed(0) && !has_mixed(1)) return true;
+    const auto leader = std::max_element(holes_.begin(), holes_.end(), [](const Hole& a, const Hole& b) {
+      return std::pair(a.shape.given > 0, a.counts.edges()) < std::pair(b.shape.given > 0, b.counts.edges());
+    });
+    const int parity = leader->counts.k[0] & 1;
     for (Hole& hole : holes_)
-      for (const std::size_t side : {0u, 1u})
-        if ((hole.counts.k[side] & 1) != parity) grow(hole.counts, hole.shape, side);
+      for (const std::size_t side : {0u, 1u}) {
+        if ((hole.counts.k[side] & 1) == parity) continue;
+        if (hole.shape.given > 0) return false;
+        grow(hole.counts, hole.shape, side);
+      }
+    return true;
   }
 
   bool has_mixed(std::size_t side) const {

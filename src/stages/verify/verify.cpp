@@ -129,11 +129,11 @@ class Verifier {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<NodeIndex>(i);
     std::sort(order.begin(), order.end(), [&](NodeIndex v, NodeIndex w) { return is_before(point(v), point(w)); });
     node_at_.assign(domain_.vertices.count(), 0);
-    IdVector<VertexId, bool> is_on_ring(domain_.vertices.count(), false);  // which is a wish, like a size
+    IdVector<VertexId, bool> is_asked(domain_.vertices.count(), true);
     for (const Domain::Curve& curve : domain_.curves)
-      if (curve.is_auxiliary) is_on_ring[curve.tail] = is_on_ring[curve.head] = true;
+      if (curve.is_auxiliary) is_asked[curve.tail] = is_asked[curve.head] = false;
     for (std::size_t i = 0; i < domain_.vertices.count(); ++i) {
-      if (is_on_ring[VertexId(i)]) continue;
+      if (!is_asked[VertexId(i)]) continue;
       const Point p = domain_.vertices[VertexId(i)].at;
       const auto found = std::lower_bound(order.begin(), order.end(), p,
                                           [&](NodeIndex v, Point at) { return is_before(point(v), at); });

@@ -506,7 +506,7 @@ TEST(Discretize, ScalingByAPowerOfTwoScalesEveryNode) {
 }
 
 // A plate with a hole of radius 2 and two rings 0.5 wide.
-Domain washer_domain(std::optional<std::uint32_t> edges) {
+Domain ringed_plate(std::uint32_t edges) {
   Model model;
   model.size = 1;
   model.outer.push_back({.items = {{{0, 0}}, {{20, 0}}, {{20, 12}}, {{0, 12}}}});
@@ -515,76 +515,42 @@ Domain washer_domain(std::optional<std::uint32_t> edges) {
   return arrange(model, {}, context);
 }
 
-std::vector<unsigned> washer_counts(const Domain& domain, const WorkMesh& mesh) {
+// Edges on arcs of a radius.
+unsigned edges_round(const Domain& domain, const WorkMesh& mesh, double radius) {
   const std::vector<unsigned> n = counts(domain, mesh);
-  std::vector<unsigned> round;
-  for (const auto& circle : domain.washers[0].circles) {
-    round.push_back(0);
-    for (const DirectedCurve& d : circle) round.back() += n[d.curve.value];
-  }
-  return round;
+  unsigned sum = 0;
+  for (std::size_t i = 0; i < n.size(); ++i)
+    if (domain.curves[CurveId(i)].piece.radius == radius) sum += n[i];
+  return sum;
 }
 
-TEST(Washers, HaveTheEdgesThatAreGiven) {
-  for (const unsigned edges : {8u, 22u, 24u, 60u}) {
-    const Domain domain = washer_domain(edges);
+TEST(GivenEdges, AreHeldOnBothCirclesOfRings) {
+  for (const unsigned edges : {4u, 6u, 8u, 22u, 24u, 60u}) {
+    const Domain domain = ringed_plate(edges);
     const WorkMesh mesh = nodes_of(domain);
     expect_sound(domain, mesh);
-    EXPECT_EQ(washer_counts(domain, mesh), std::vector<unsigned>(3, edges));
+    for (const double radius : {2.0, 3.0}) EXPECT_EQ(edges_round(domain, mesh, radius), edges);
   }
 }
 
-TEST(Washers, HaveOneNumberOfEdgesWhereNoneIsGiven) {
-  const Domain domain = washer_domain(std::nullopt);
-  const std::vector<unsigned> round = washer_counts(domain, nodes_of(domain));
-  EXPECT_EQ(round, std::vector<unsigned>(3, round[0]));
-  EXPECT_EQ(round[0] % 4, 0u);
-  EXPECT_NEAR(round[0], 2 * std::numbers::pi * 2.5, 4);  // halfway out
-}
-
-TEST(Washers, HaveTheirNodesOnCommonRays) {
-  const Domain domain = washer_domain(24);
-  const WorkMesh mesh = nodes_of(domain);
+TEST(GivenEdges, HaveTheirNodesOnCommonRays) {
+  const WorkMesh mesh = nodes_of(ringed_plate(22));
   std::map<long, int> rays;
   for (const NodeId v : mesh.topo().nodes()) {
-    const Point p = mesh.point(v);
-    const Point from = p - Point{10, 6};
+    const Point from = mesh.point(v) - Point{10, 6};
     if (norm(from) > 3.1) continue;
-    ++rays[std::lround(std::atan2(from.y, from.x) / (2 * std::numbers::pi / 24) * 1e6)];
+    const double ray = std::atan2(from.y, from.x) / (2 * std::numbers::pi) * 22;
+    EXPECT_NEAR(ray, std::round(ray), 1e-9);
+    ++rays[std::lround(ray + 22) % 22];
   }
-  for (const auto& [ray, n] : rays) EXPECT_EQ(ray % 1'000'000, 0) << ray;
-  EXPECT_EQ(rays.at(0), 3);
+  EXPECT_EQ(rays.size(), 22u);
+  for (const auto& [ray, n] : rays) EXPECT_EQ(n, 2) << ray;
 }
 
-TEST(Washers, FollowWhatAGridWishes) {
-  const Domain domain = washer_domain(std::nullopt);
-  IdVector<CurveId, std::uint32_t> wished(domain.curves.count(), 0);
-  for (const DirectedCurve& d : domain.washers[0].circles.back()) wished[d.curve] = 14;
-  Context context;
-  const WorkMesh mesh = discretize(domain, make_size_field(domain, {}, context), wished, {}, context);
-  EXPECT_EQ(washer_counts(domain, mesh), std::vector<unsigned>(3, 28));
-}
-
-// Before halving the chords of a thin ring would cross the circle inside it.
-TEST(Washers, ThinRingsGetMoreEdgesOnAllTheirCircles) {
-  Model model;
-  model.size = 1;
-  model.outer.push_back({.items = {{{0, 0}}, {{20, 0}}, {{20, 12}}, {{0, 12}}}});
-  model.holes.push_back({.circle = Circle{{10, 6}, 2, 8, 2, 0.02}});
-  Context context;
-  const Domain domain = arrange(model, {}, context);
-  EXPECT_EQ(washer_counts(domain, nodes_of(domain)), std::vector<unsigned>(3, 8));
-  CellSet around;
-  for (std::size_t i = 0; i < domain.cells.count(); ++i)
-    if (!domain.cells[CellId(i)].is_ring) around.insert(CellId(i));
-  const std::vector<unsigned> round = washer_counts(domain, nodes_of(domain, {}, around));
-  EXPECT_GT(round[0], 8u);
-  EXPECT_EQ(round, (std::vector<unsigned>{round[0], round[0], round[0] / 2}));  // the last one is halved later
-}
-
-TEST(Washers, HalvedOnesHaveTheHalfBefore) {
-  const Domain domain = washer_domain(24);
-  EXPECT_EQ(washer_counts(domain, nodes_of(domain, {}, all_cells(domain))), std::vector<unsigned>(3, 12));
+TEST(GivenEdges, AreHalfBeforeAllAreHalved) {
+  const Domain domain = ringed_plate(24);
+  const WorkMesh mesh = nodes_of(domain, {}, all_cells(domain));
+  for (const double radius : {2.0, 3.0}) EXPECT_EQ(edges_round(domain, mesh, radius), 12u);
 }
 
 }  // namespace

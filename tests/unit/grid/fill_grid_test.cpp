@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <tuple>
 
+#include "base/elementary.hpp"
+#include "domain/whole_circle.hpp"
+#include "geom/angles.hpp"
 #include "tests/unit/grid/grid_shapes.hpp"
 
 namespace quadline {
@@ -194,6 +198,22 @@ TEST(FillGrid, MoreRingsAreMoreCirclesOfQuads) {
     expect_filled(mesh, static_cast<std::size_t>(100 - 16 + 16 * rings));
     EXPECT_EQ(shapes::irregular_valences(mesh), std::vector<int>(4, 5));
   }
+}
+
+TEST(FillGrid, RingsOfTheModelAreEquallyWideOnStraightRays) {
+  const Domain domain = shapes::ring(2, 5, 1);
+  WorkMesh mesh = shapes::nodes_on(domain, {11, 11, 11, 11});
+  ASSERT_TRUE(fill_grid(mesh, domain, kCell, {.rings = 3}));
+  expect_filled(mesh, 66);
+  for (const NodeId v : mesh.topo().nodes()) {
+    const double turn = arc_tangent(mesh.point(v).y, mesh.point(v).x) * 11 / std::numbers::pi, r = norm(mesh.point(v));
+    EXPECT_NEAR(r, std::round(r), 1e-12);
+    EXPECT_NEAR(turn, std::round(turn), 1e-9);
+  }
+  expect_refused(domain, {11, 11, 12, 12}, {.rings = 3});
+  Domain askew = domain;
+  WholeCircles::turn(askew, askew.cells[kCell].walks[1], {1, 0.1});
+  expect_refused(askew, {11, 11, 11, 11}, {.rings = 3});
 }
 
 TEST(FillGrid, TheNodesOfARingLieBesideEachOther) {

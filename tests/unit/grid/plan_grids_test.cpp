@@ -78,6 +78,69 @@ TEST(PlanGrids, OneHoleInAPlate) {
   EXPECT_TRUE(has_fill(made));
 }
 
+Model ringed_plate(std::optional<std::uint32_t> edges) {
+  Model model = shapes::plate_model(20, 16, {{10, 8}}, 1.5);
+  model.holes[0].circle->edges = edges;
+  model.holes[0].circle->rings = 2;
+  model.holes[0].circle->ring_width = 0.5;
+  return model;
+}
+
+CellId cell_of_rings(const Domain& domain) {
+  for (std::size_t i = 0; i < domain.cells.count(); ++i)
+    if (domain.cells[CellId(i)].rings > 0) return CellId(i);
+  return {};
+}
+
+TEST(PlanGrids, ThePatchRoundRingsHasTheEdgesThatAreGiven) {
+  for (const std::uint32_t edges : {20u, 24u}) {
+    const Planned made = planned(shapes::arranged(ringed_plate(edges)));
+    const CellId rings = cell_of_rings(made.domain), outside(rings.value == 0 ? 1u : 0u);
+    ASSERT_TRUE(made.plans.cells[rings] && made.plans.cells[outside]);
+    EXPECT_EQ(made.plans.cells[rings]->plan.rings, 2);
+    EXPECT_EQ(made.plans.cells[outside]->plan.holes[0].columns, static_cast<int>(edges / 4));
+  }
+  const Planned odd = planned(shapes::arranged(ringed_plate(22)));  // no square patch has so many round it
+  const CellId rings = cell_of_rings(odd.domain), outside(rings.value == 0 ? 1u : 0u);
+  EXPECT_TRUE(odd.plans.cells[rings]);
+  EXPECT_FALSE(odd.plans.cells[outside]);
+}
+
+TEST(PlanGrids, RingsWithoutANumberGetThatOfTheGridRoundThem) {
+  const Planned made = planned(shapes::arranged(ringed_plate({})));
+  const CellId rings = cell_of_rings(made.domain), outside(rings.value == 0 ? 1u : 0u);
+  ASSERT_TRUE(made.plans.cells[rings] && made.plans.cells[outside]);
+  const auto k = static_cast<std::uint32_t>(made.plans.cells[outside]->plan.holes[0].columns);
+  for (const auto& circle : made.domain.cells[rings].walks) {
+    const CurvePiece& piece = made.domain.curves[circle[0].curve].piece;
+    EXPECT_NEAR(std::abs(piece.a.x - 10), std::abs(piece.a.y - 8), 1e-12);  // turned together
+    for (const DirectedCurve& d : circle) EXPECT_EQ(made.domain.curves[d.curve].edges, 2 * k);
+  }
+}
+
+TEST(PlanGrids, RingsArePlannedByEveryMethod) {
+  for (const Method method : {Method::QMorph, Method::Merge, Method::Split}) {
+    Options options;
+    options.method = method;
+    const Planned made = planned(shapes::arranged(ringed_plate({})), free_of_charge, options);
+    const CellId rings = cell_of_rings(made.domain), outside(rings.value == 0 ? 1u : 0u);
+    EXPECT_TRUE(made.plans.cells[rings]);
+    EXPECT_FALSE(made.plans.cells[outside]);
+    for (const auto& circle : made.domain.cells[rings].walks)
+      for (const DirectedCurve& d : circle) EXPECT_GT(made.domain.curves[d.curve].edges, 0u);
+  }
+}
+
+TEST(PlanGrids, ARingOfGridsHasTheRaysThatItsCirclesAreGiven) {
+  Model model = shapes::flange_model(0);
+  model.holes[0].circle->edges = 44;
+  const Planned made = planned(shapes::arranged(model));
+  ASSERT_TRUE(made.plans.cells[kCell]);
+  for (const CountWish& wish : made.plans.cells[kCell]->wishes) EXPECT_EQ(wish.count, 22u);
+  model.outer[0].circle->edges = 48;
+  EXPECT_FALSE(planned(shapes::arranged(model)).plans.cells[kCell]);
+}
+
 TEST(PlanGrids, TheArcsOfAHoleEndOnTheDiagonalOfItsPatch) {
   const Planned made = planned(shapes::arranged(shapes::plate_model(16, 12, {{8, 6}}, 2)));
   for (const DirectedCurve& d : made.domain.cells[kCell].walks[1]) {
@@ -285,6 +348,22 @@ TEST(PlanGrids, EdgesThatTheModelGivesAreThePatch) {
   for (const std::uint32_t edges : {4u, 18u, 22u, 400u}) EXPECT_FALSE(plate(edges).plans.cells[kCell]) << edges;
 }
 
+// Middles of holes in one row lie all on a line of it or all between two: the others follow those that are given.
+TEST(PlanGrids, HolesInARowSuitThoseThatAreGiven) {
+  const auto plate = [](std::uint32_t left, std::optional<std::uint32_t> right) {
+    Model model = shapes::plate_model(24, 12, {{7, 6}, {17, 6}}, 1.8);
+    model.holes[0].circle->edges = left;
+    model.holes[1].circle->edges = right;
+    return planned(shapes::arranged(model));
+  };
+  const Planned free = plate(12, std::nullopt);
+  ASSERT_TRUE(free.plans.cells[kCell]);
+  EXPECT_EQ(free.plan().holes[0].columns, 3);
+  EXPECT_EQ(free.plan().holes[1].columns, 5);
+  EXPECT_TRUE(plate(12, 20).plans.cells[kCell]);
+  EXPECT_FALSE(plate(12, 16).plans.cells[kCell]);
+}
+
 TEST(PlanGrids, EdgesOfABoreAreTheRays) {
   const auto flange = [](int bolts, std::uint32_t edges) {
     Model model = shapes::flange_model(bolts);
@@ -297,20 +376,16 @@ TEST(PlanGrids, EdgesOfABoreAreTheRays) {
   EXPECT_FALSE(flange(8, 42).plans.cells[kCell]);  // no multiple of the bolts
 }
 
-// The rings of a hole turn with the outermost, so that nodes stay on common rays.
-TEST(PlanGrids, TheRingsOfAHoleFollow) {
-  Model model = shapes::plate_model(16, 12, {{8, 6}}, 1.5);
-  model.holes[0].circle->rings = 2;
-  model.holes[0].circle->ring_width = 0.4;
-  const Planned made = planned(shapes::arranged(model));
-  const Domain::Washer& washer = made.domain.washers.at(0);
-  for (const auto& circle : washer.circles) {
-    const CurvePiece& piece = made.domain.curves[circle[0].curve].piece;
-    EXPECT_NEAR(std::abs(piece.a.x - 8), std::abs(piece.a.y - 6), 1e-12);
-  }
-  EXPECT_GT(made.count(washer.circles[2][0]), 0u);
-  for (std::size_t i = 0; i < made.domain.cells.count(); ++i)
-    EXPECT_EQ(made.plans.cells[CellId(i)].has_value(), !made.domain.cells[CellId(i)].is_ring);
+// More room cannot come from a larger patch there.
+TEST(PlanGrids, WithEdgesThatAreGivenTheLastProposalHasARingMore) {
+  Model model = shapes::plate_model(16, 12, {{8, 6}}, 1.8);
+  model.holes[0].circle->edges = 16;
+  std::vector<int> rings;
+  planned(shapes::arranged(model), [&](const Domain&, CellId, const GridProposal& proposal) {
+    rings.push_back(proposal.plan.holes[0].rings);
+    return kInfinity;
+  });
+  EXPECT_EQ(rings, (std::vector<int>{1, 1, 2}));
 }
 
 TEST(PlanGrids, ACircleThatIsTooFineHasNoPatch) {

@@ -63,6 +63,19 @@ TEST(ReadModelJson, TakesAllThatAModelHolds) {
   EXPECT_EQ(model.regions[0].where, "/regions/0");
 }
 
+TEST(ReadModelJson, CirclesMayAskForEdgesAndRings) {
+  const Model model = read(R"({"outer": {"center": [0, 0], "radius": 9, "edges": 64},
+      "holes": [{"center": [0, 0], "radius": 2, "edges": 24, "rings": 2, "ring_width": 0.5}],
+      "lines": [{"path": {"center": [5, 0], "radius": 1, "rings": 1}}]})");
+  EXPECT_EQ(model.outer[0].circle->edges, 64u);
+  EXPECT_FALSE(model.outer[0].circle->rings || model.outer[0].circle->ring_width);
+  EXPECT_EQ(model.holes[0].circle->edges, 24u);
+  EXPECT_EQ(model.holes[0].circle->rings, 2u);
+  EXPECT_EQ(model.holes[0].circle->ring_width, 0.5);
+  EXPECT_FALSE(model.lines[0].path.circle->edges);
+  EXPECT_EQ(model.lines[0].path.circle->rings, 1u);
+}
+
 TEST(ReadModelJson, TellsOneLoopFromSeveral) {
   EXPECT_EQ(read("{\"outer\": " + kSquare + "}").outer.size(), 1u);
   EXPECT_EQ(read("{\"outer\": {\"center\": [0, 0], \"radius\": 1}}").outer.size(), 1u);

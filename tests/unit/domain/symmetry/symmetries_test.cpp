@@ -76,6 +76,33 @@ TEST(Symmetries, TakeCurvesAndCellsToTheirLike) {
   }
 }
 
+TEST(Symmetries, KnowTheEdgesAndRingsThatCirclesAskFor) {
+  Model model = plate(20, 16);
+  for (const double x : {5.0, 15.0})
+    model.holes.push_back(
+        {.circle = Circle{.center = {x, 8}, .radius = 2, .edges = 16, .rings = 2, .ring_width = 0.5}});
+  EXPECT_EQ(find_symmetries(arranged(model)).size(), 3u);
+  Model other = model;
+  other.holes[0].circle->edges = 20;
+  EXPECT_EQ(find_symmetries(arranged(other)).size(), 1u);
+  other = model;
+  other.holes[0].circle->rings = 1;
+  other.holes[0].circle->ring_width = 1;  // up to the same circle
+  EXPECT_EQ(find_symmetries(arranged(other)).size(), 1u);
+}
+
+TEST(CutAtAxes, HalvesTheEdgesThatAnArcIsGivenIfTheyAreEven) {
+  for (const std::uint32_t edges : {20u, 22u}) {
+    Model model = plate(20, 16);
+    model.holes.push_back({.circle = Circle{.center = {10, 8}, .radius = 3, .edges = edges}});
+    const Domain cut = cut_at_axes(arranged(model), {});
+    EXPECT_EQ(cut.cells.count(), edges % 4 == 0 ? 4u : 2u);
+    std::uint32_t sum = 0;
+    for (const Domain::Curve& curve : cut.curves) sum += curve.edges;
+    EXPECT_EQ(sum, edges);
+  }
+}
+
 TEST(CutAtAxes, APlateWithAHoleFallsIntoQuarters) {
   Model model = plate(20, 16);
   model.holes.push_back({.circle = Circle{{10, 8}, 3}});
