@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/constants.hpp"
+#include "base/elementary.hpp"
 
 namespace quadline {
 
@@ -37,6 +38,23 @@ void WholeCircles::turn(Domain& domain, const std::vector<DirectedCurve>& walk, 
     curve->piece.a = domain.vertices[curve->tail].at;
     curve->piece.b = domain.vertices[curve->head].at;
     curve->piece.sweep = std::copysign(0.5 * kFullTurn, curve->piece.sweep);
+  }
+}
+
+void WholeCircles::turn(Domain& domain, const std::vector<DirectedCurve>& walk, Point tail, Point head) {
+  Domain::Curve &first = domain.curves[walk[0].curve], &second = domain.curves[walk[1].curve];
+  const auto place = [&](VertexId v, Point direction) {
+    domain.vertices[v].at = first.piece.center + (first.piece.radius / norm(direction)) * direction;
+  };
+  place(first.tail, tail);
+  place(first.head, head);
+  for (Domain::Curve* curve : {&first, &second}) {
+    CurvePiece& piece = curve->piece;
+    piece.a = domain.vertices[curve->tail].at;
+    piece.b = domain.vertices[curve->head].at;
+    const Point from = piece.a - piece.center, to = piece.b - piece.center;
+    const double turn = arc_tangent(cross(from, to), dot(from, to)), left = turn > 0 ? turn : turn + kFullTurn;
+    piece.sweep = piece.sweep > 0 ? left : left - kFullTurn;
   }
 }
 

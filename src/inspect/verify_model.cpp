@@ -38,7 +38,7 @@ Verification verify(const Mesh& mesh, const Model& model, const Options& options
   Options sized = options;
   const bool is_sized = options.size || model.size > 0;
   if (!is_sized) sized.size = std::numeric_limits<double>::max();  // whether the mesh fits does not depend on it
-  const Domain domain = arrange(model, sized, context);
+  const Domain domain = with_circles_turned_to(mesh, arrange(model, sized, context));
   Verification found;
   found.broken = verify(fit_to_model(mesh, domain), domain, context);
   found.corners = corners_of(domain);

@@ -194,6 +194,16 @@ class Mesh(CommandLine):
         self.assertEqual(self.read("1.vtu"), self.read("7.vtu"))
         self.assertEqual(self.read("1.inp"), self.read("7.inp"))
 
+    def test_check_accepts_what_mesh_wrote(self):
+        # also where no node of a circle lies just east of its centre
+        for model in (self.put("hole.json", {"size": 1, "outer": [[0, 0], [12, 0], [12, 12], [0, 12]],
+                                             "holes": [{"center": [6, 6], "radius": 1.5}]}),
+                      self.put("ring.json", {"size": 1, "outer": {"center": [0, 0], "radius": 9},
+                                             "holes": [{"center": [0, 0], "radius": 5, "edges": 36, "rings": 2}]})):
+            mesh = self.path("mesh.msh")
+            self.assert_done(self.run_it("mesh", model, "-o", mesh, "--quiet"))
+            self.assert_done(self.run_it("check", mesh, "--model", model))
+
     def test_size_overrides_that_of_the_model(self):
         def count(*arguments):
             done = self.run_it("mesh", self.plate, "--json", *arguments)

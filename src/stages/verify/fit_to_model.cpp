@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/constants.hpp"
+#include "domain/whole_circle.hpp"
 #include "geom/curve.hpp"
 #include "quality/mesh_edges.hpp"
 #include "search/box_tree.hpp"
@@ -105,7 +107,46 @@ class Fitter {
   double step_ = 0;
 };
 
+// The nodes of a mesh that lie on a circle.
+class NodesOnCircles {
+ public:
+  NodesOnCircles(const Mesh& mesh, double tolerance) : tree_(boxes_of(mesh.points)), tolerance_(tolerance) {}
+
+  // The nearest to a place on it, but one; in a widening square.
+  NodeIndex nearest(const WholeCircle& circle, Point to, NodeIndex but) const {
+    for (double reach = kFirstReach * circle.radius;; reach *= 2) {
+      std::pair<double, NodeIndex> found{reach, kNone};
+      tree_.query(inflated({to, to}, reach), [&](std::size_t i) {
+        const Point p = tree_.box_of(i).lo;
+        if (i == but || std::abs(distance(p, circle.center) - circle.radius) > tolerance_) return;
+        found = std::min(found, {distance(p, to), static_cast<NodeIndex>(i)});
+      });
+      if (found.second != kNone || reach > 2 * circle.radius) return found.second;
+    }
+  }
+
+ private:
+  static constexpr double kFirstReach = 1.0 / 16;  // of the radius
+  BoxTree tree_;
+  double tolerance_;
+};
+
 }  // namespace
+
+Domain with_circles_turned_to(const Mesh& mesh, Domain domain) {
+  const NodesOnCircles nodes(mesh, domain.tolerance);
+  const WholeCircles circles(domain);
+  for (const Domain::Cell& cell : domain.cells)
+    for (const auto& walk : cell.walks) {
+      const std::optional<WholeCircle> circle = circles.find(domain, walk);
+      if (!circle) continue;
+      const CurvePiece& piece = domain.curves[walk[0].curve].piece;
+      const NodeIndex tail = nodes.nearest(*circle, piece.a, kNone), head = nodes.nearest(*circle, piece.b, tail);
+      if (tail == kNone || head == kNone) continue;
+      WholeCircles::turn(domain, walk, mesh.points[tail] - circle->center, mesh.points[head] - circle->center);
+    }
+  return domain;
+}
 
 Mesh fit_to_model(Mesh mesh, const Domain& domain) { return Fitter(std::move(mesh), domain).run(); }
 

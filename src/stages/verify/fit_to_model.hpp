@@ -13,4 +13,9 @@ namespace quadline {
 /// Cost O((n + m) log n) for n nodes and m nodes on curves.
 Mesh fit_to_model(Mesh mesh, const Domain& domain);
 
+/// The domain with the ends of the arcs of every whole circle at the nearest nodes of the mesh on it, where it has two:
+/// nothing of the model is there, and a mesh need not have nodes just east and west of a centre.
+/// Cost O((n + m) log n) for n nodes and m nodes near circles.
+Domain with_circles_turned_to(const Mesh& mesh, Domain domain);
+
 }  // namespace quadline

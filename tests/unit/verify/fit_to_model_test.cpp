@@ -122,5 +122,47 @@ TEST(FitToModel, LetsRegionsOnBothSidesOfALineBeCompared) {
   EXPECT_EQ(failure->reason, "the quads of region 'lower' do not add up to its area");
 }
 
+// The ring between circles of radius 1 and 2 with five nodes on each: no two of them opposite to each other.
+TEST(FitToModel, CirclesMayHaveTheirNodesAnywhere) {
+  Model model;
+  model.size = 1;
+  model.outer = {{.circle = Circle{{0, 0}, 2}}};
+  model.holes = {{.circle = Circle{{0, 0}, 1}}};
+  Context context;
+  const Domain arranged = arrange(model, {}, context);
+  Mesh mesh;
+  mesh.regions = {"domain"};
+  constexpr NodeIndex n = 5;
+  for (NodeIndex k = 0; k < n; ++k)
+    for (const double r : {1.0, 2.0}) {
+      const double angle = 0.3 + 2 * std::acos(-1.0) * k / n;
+      mesh.points.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+  for (NodeIndex k = 0; k < n; ++k) {
+    const NodeIndex next = (k + 1) % n;
+    mesh.quads.push_back({2 * k, 2 * k + 1, 2 * next + 1, 2 * next});
+    mesh.quad_region.push_back(0);
+  }
+  EXPECT_TRUE(verify(fit_to_model(mesh, arranged), arranged, context).has_value());
+  const Domain turned = with_circles_turned_to(mesh, arranged);
+  const Mesh fitted = fit_to_model(mesh, turned);
+  for (const EdgeSet& circle : fitted.curves) EXPECT_EQ(circle.edges.size(), n);
+  EXPECT_FALSE(verify(fitted, turned, context).has_value());
+  mesh.quads.pop_back();  // what is missing is still seen
+  mesh.quad_region.pop_back();
+  EXPECT_TRUE(verify(fit_to_model(mesh, turned), turned, context).has_value());
+}
+
+TEST(FitToModel, ACircleWithoutNodesStaysAsItIs) {
+  Model model;
+  model.size = 1;
+  model.outer = {{.circle = Circle{{0, 0}, 5}}};
+  Context context;
+  const Domain arranged = arrange(model, {}, context);
+  const Domain turned = with_circles_turned_to(four_quads(), arranged);
+  for (std::size_t i = 0; i < arranged.curves.count(); ++i)
+    EXPECT_EQ(turned.curves[CurveId(i)].piece.a, arranged.curves[CurveId(i)].piece.a);
+}
+
 }  // namespace
 }  // namespace quadline
