@@ -129,8 +129,7 @@ class Symmetrizer {
   }
 
   // All curves that axes cross on the way from these cells on, but for those whose numbers are given; false: they are
-  // even already. Sources are curves of
-  // their own, whose images follow.
+  // even already. Sources are curves of their own, whose images follow.
   bool make_even(std::vector<CellId> cells) {
     bool is_new = false;
     while (!cells.empty()) {
