@@ -68,7 +68,7 @@ class Reader {
     model.size = optional_length(root, "size").value_or(0);
     if (!root.value.contains("outer")) fail(root, "'outer', the loop round the domain, is missing");
     with(root, "outer", [&](const Spot& outer) { model.outer = loops(outer); });
-    each(root, "holes", [&](const Spot& hole) { model.holes.push_back(path(hole)); });
+    each(root, "holes", [&](const Spot& hole) { model.holes.push_back(this->hole(hole)); });
     each(root, "lines", [&](const Spot& line) { model.lines.push_back(this->line(line)); });
     each(root, "points", [&](const Spot& point) { model.points.push_back(named<NamedPoint>(point, "a point")); });
     each(root, "regions", [&](const Spot& region) { model.regions.push_back(named<Region>(region, "a region")); });
@@ -164,18 +164,39 @@ class Reader {
     return out;
   }
 
+  void refuse_washer(const Spot& object, const char* why) const {
+    refuse(object, {"edges", "rings", "ring_width"}, why);
+  }
+
   Circle circle(const Spot& at) const {
-    if (at.value.contains("path"))
-      refuse(at, {"edges", "rings", "ring_width"}, "only a circle {\"center\", \"radius\"} has this key: take it out");
+    if (at.value.contains("path")) refuse_washer(at, "this key belongs to a hole, or to its circle: take it out");
     expect_keys(at, {"center", "radius", "edges", "rings", "ring_width"});
     const Point center = point(at, "center");
     const auto radius = optional_length(at, "radius");
     if (!radius) fail(at, "'radius' is missing");
-    return {.center = center,
-            .radius = *radius,
-            .edges = optional_count(at, "edges", kLeastCircleEdges, kMostCircleEdges, 2),
-            .rings = optional_count(at, "rings", 1, kMostRings, 1),
-            .ring_width = optional_length(at, "ring_width")};
+    Circle out{.center = center, .radius = *radius};
+    read_washer(at, out);
+    return out;
+  }
+
+  void read_washer(const Spot& at, Circle& circle) const {
+    circle.edges = optional_count(at, "edges", kLeastCircleEdges, kMostCircleEdges, 2);
+    circle.rings = optional_count(at, "rings", 1, kMostRings, 1);
+    circle.ring_width = optional_length(at, "ring_width");
+  }
+
+  /// A path, or an object that holds it, and what its circle asks for.
+  Path hole(const Spot& at) const {
+    if (!at.value.is_object() || !at.value.contains("path")) return path(at);
+    expect_keys(at, {"path", "edges", "rings", "ring_width"});
+    Path out;
+    with(at, "path", [&](const Spot& path) {
+      if (path.value.is_object()) refuse_washer(path, "this key stands beside 'path' here: move it there");
+      out = this->path(path);
+    });
+    if (!out.circle) refuse_washer(at, "only a circle {\"center\", \"radius\"} has this key: take it out");
+    if (out.circle) read_washer(at, *out.circle);
+    return out;
   }
 
   /// An outer loop has nothing outside that rings could fill.
@@ -224,7 +245,7 @@ class Reader {
 
   Line line(const Spot& at) const {
     expect_object(at, "a line");
-    refuse(at, {"edges", "rings", "ring_width"}, "this key belongs to the circle: move it into 'path'");
+    refuse_washer(at, "this key belongs to the circle: move it into 'path'");
     expect_keys(at, {"name", "path", "size"});
     if (!at.value.contains("path")) fail(at, "'path' is missing");
     Line out{text(at, "name"), {}, optional_length(at, "size")};

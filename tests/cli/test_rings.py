@@ -67,6 +67,12 @@ class RingsOfOneHole(CommandLine):
         return sorted((math.atan2(p[1] - y, p[0] - x) + 1e-9) % (2 * math.pi) for p in mesh["points"]
                       if abs(math.hypot(p[0] - x, p[1] - y) - r) < 1e-9 * r)
 
+    def test_they_may_stand_beside_the_path(self):
+        circle = {"center": [200, 150], "radius": 30}
+        washer = {"rings": 2, "ring_width": 9, "edges": 24}
+        beside, inside = self.mesh_of(dict(washer, path=circle))[0], self.mesh_of(dict(circle, **washer))[0]
+        self.assertEqual(beside["points"], inside["points"])
+
     def test_rings_are_held(self):
         circle = {"center": [200, 150], "radius": 30, "rings": 2, "ring_width": 9, "edges": 24}
         for outer in (None, [[0, 0], [400, 0], [430, 200], [200, 350], [0, 300]]):

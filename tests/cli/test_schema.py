@@ -26,6 +26,12 @@ RIGHT = [
 RIGHT += [{"outer": SQUARE, "holes": [dict(CIRCLE, **keys)], "lines": [{"path": dict(CIRCLE, **keys)}]}
           for keys in ({"edges": 4}, {"edges": 24.0, "rings": 2, "ring_width": 0.1}, {"rings": 100}, {"ring_width": 0.1})]
 RIGHT += [{"outer": dict(CIRCLE, edges=24)}]
+RIGHT += [{"outer": SQUARE, "holes": [dict(keys, path=CIRCLE)]}
+          for keys in ({}, {"edges": 24, "rings": 2, "ring_width": 0.1, "x-id": 1}, {"rings": 1})]
+RIGHT += [{"outer": SQUARE, "holes": [{"path": ARC}]}]
+WRONG_HOLES = [{"outer": SQUARE, "holes": [dict(keys, path=CIRCLE)]}
+               for keys in ({"edges": 23}, {"rings": 0}, {"ring": 1}, {"center": [1, 1]})]
+WRONG_HOLES += [{"outer": SQUARE, "holes": [{"path": dict(CIRCLE, rings=2)}]}]
 WRONG = [
     [],
     {},
@@ -56,6 +62,7 @@ WRONG += [{"outer": SQUARE, "holes": [dict(CIRCLE, **keys)]}
                        {"edges": 1000002}, {"edges": 1e300}, {"edges": "24"}, {"edges": None}, {"rings": 0}, {"rings": -1},
                        {"rings": 1.5}, {"rings": 101}, {"rings": [2]}, {"ring_width": 0}, {"ring_width": -9},
                        {"ring_width": "9"}, {"ring": 2})]
+WRONG += WRONG_HOLES
 WRONG += [
     {"outer": dict(CIRCLE, rings=1)},
     {"outer": [SQUARE, dict(CIRCLE, ring_width=0.1)]},
