@@ -53,8 +53,7 @@ TEST(GrowPatch, StopsAtLines) {
   ASSERT_TRUE(f.grower.start(NodeId(kMiddle)));
   while (f.grower.grow()) continue;
   for (const FaceId face : f.grower.cavity().faces)
-    for (const NodeId v : f.mesh.topo().polygon(face).nodes)
-      EXPECT_TRUE(!v.valid() || f.mesh.point(v).y >= 3);
+    for (const NodeId v : f.mesh.topo().polygon(face).nodes) EXPECT_TRUE(!v.valid() || f.mesh.point(v).y >= 3);
   EXPECT_EQ(f.grower.cavity().faces.size(), 40u);  // 8 x 5 above the line
 }
 

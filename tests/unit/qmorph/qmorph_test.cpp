@@ -159,14 +159,14 @@ TEST(QMorph, FirstLayerAndHalfWayAreShown) {
   EXPECT_EQ(seen, (std::vector<std::string>{"first-layer", "half-way"}));
 }
 
-// Many fronts meet between the holes: no triangle is left, and twelve without a second try of refused edges.
+// Many fronts meet between the holes: no triangle is left, and six without a second try of refused edges.
 TEST(QMorph, SecondTryOfRefusedEdgesLeavesLessToCompletion) {
   Options options;
-  options.size = 30;
+  options.size = 23;
   options.method = Method::QMorph;
   options.triangles = Triangles::Front;
   Context context;
-  const MeshResult result = generate(read_model("models/structures/gusset.json"), options, context);
+  const MeshResult result = generate(read_model("models/structures/perforated-8x8.json"), options, context);
   EXPECT_GT(result.report.qmorph.refused_side, 100u);
   EXPECT_EQ(result.report.qmorph.completion_triangles, 0u);
 }
