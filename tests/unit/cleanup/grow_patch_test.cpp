@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "quad_shapes.hpp"
@@ -46,6 +48,31 @@ TEST(GrowPatch, GrowsByRows) {
   }
   EXPECT_EQ(n_rows, 12);  // from 2 x 2 to 8 x 8
   EXPECT_EQ(before, 64u);
+}
+
+// Row after row on the nearest side: a square round the node again after every four.
+TEST(GrowPatch, GrowsRoundTheNode) {
+  Fixture f(shapes::grid(8, 8));
+  ASSERT_TRUE(f.grower.start(NodeId(kMiddle)));
+  for (int reach = 2; reach <= 4; ++reach) {
+    for (int row = 0; row < 4; ++row) ASSERT_TRUE(f.grower.grow());
+    for (const PatchNode& r : f.grower.rim())
+      EXPECT_EQ(std::max(std::abs(r.at.x - 4), std::abs(r.at.y - 4)), reach) << r.at.x << ", " << r.at.y;
+  }
+}
+
+// Where a rim node wants three quads inside, the patch takes in all round it.
+TEST(GrowPatch, GrowsOverNotches) {
+  Fixture f(shapes::split_triangles(5, 1, 1, false));
+  std::size_t n_over = 0;
+  for (const NodeId v : f.mesh.topo().nodes()) {
+    if (!f.mesh.is_free(v)) continue;
+    bool more = f.grower.start(v);
+    n_over += more && f.grower.cavity().faces.size() > f.mesh.topo().edge_valence(v);
+    for (; more; more = f.grower.grow())
+      for (const Cavity::RimNode& r : f.grower.cavity().rim) EXPECT_LT(r.ideal.ideal - r.outside, 3);
+  }
+  EXPECT_GT(n_over, 0u);
 }
 
 TEST(GrowPatch, StopsAtLines) {

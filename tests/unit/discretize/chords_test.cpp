@@ -48,12 +48,18 @@ TEST(TooCoarseArcs, AChordMustNotCutOffANode) {
   EXPECT_TRUE(coarse(domain, {1, 5, 1}).empty());
 }
 
-// A chord of the line crosses that of the arc, though its nodes are on the right side.
-TEST(TooCoarseArcs, TheArcWithMoreBulgeOfTwoThatCrossIsTheOne) {
+// The nodes at the top of the finer arc lie between the middle chord of the coarser one and that arc.
+TEST(TooCoarseArcs, AChordMustNotCutOffNodesOfAnotherArc) {
   const Domain domain = half_disk({{-0.7, 0.3}, {0.7, 0.3}}, {{2, 3, Point{0, 0.9}}});
   EXPECT_TRUE(coarse(domain, {1, 16, 16}).empty());
-  const std::vector<CurveId> found = coarse(domain, {1, 3, 16});
-  EXPECT_EQ(found, kArc);
+  EXPECT_EQ(coarse(domain, {1, 3, 16}), kArc);
+}
+
+// Two arcs with the same ends, each of one chord: it is enough that one of them gets a node.
+TEST(TooCoarseArcs, OfTwoWithTheSameChordTheOneWithMoreBulgeIs) {
+  const Domain lens = shapes::Builder({{-1, 0}, {1, 0}}, {{0, 1, Point{0, -0.5}}, {1, 0, Point{0, 1}}}, 0.3).build();
+  EXPECT_EQ(coarse(lens, {1, 1}), kArc);
+  EXPECT_TRUE(coarse(lens, {1, 2}).empty());
 }
 
 // Outside the arc, nearer than its bulge: only where the chord will get a node on the arc does it matter.
