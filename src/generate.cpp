@@ -7,6 +7,7 @@
 
 #include "cells/attempt.hpp"
 #include "cells/cell_meshes.hpp"
+#include "cells/chain_attempts.hpp"
 #include "cells/flatten.hpp"
 #include "cells/missed_edges.hpp"
 #include "cells/node_orbits.hpp"
@@ -84,44 +85,19 @@ Attempt attempt_mesh(const FallbackPlan& plan, const Options& options, CellCache
   }
 }
 
-namespace {
-
-// The chain of attempts. Its result holds all but the findings of the model, and measures.
-MeshResult mesh_by(FallbackPlan& plan, const Model& model, const Options& options, StageClock& clock,
-                   Context& context) {
-  CellCache cache(plan.domain().cells.count());
-  Attempt last = attempt_mesh(plan, options, cache, clock, context);
-  if (!last.too_many.empty()) throw InputError(ErrorCode::TooManyQuads, last.too_many, Where{model.file, {}, {}});
-
-  std::optional<MeshResult> first;
-  if (last.result.failure) first = last.result;
-  bool is_limited = false;
-  while (last.result.failure && plan.advance(last.troubles)) {
-    Attempt next = attempt_mesh(plan, options, cache, clock, context);
-    is_limited |= !next.too_many.empty();
-    if (next.too_many.empty()) last = std::move(next);
-  }
-  if (last.result.failure) {
-    last.result = std::move(*first);
-    last.result.report.findings = plan.failures(last.troubles);
-    if (is_limited)
-      last.result.report.findings.push_back(
-          {"what may help needs more quads than allowed", {}, last.result.failure->at});
-  }
-  return std::move(last.result);
-}
-
-}  // namespace
-
 MeshResult generate(const Model& model, const Options& options, Context& context) {
   check(options);
   StageClock clock;
   Domain domain = clock.run("arrange", context, [&] { return arrange(model, options, context); });
   FallbackPlan plan = clock.run("layout", context, [&] { return FallbackPlan(std::move(domain), options, context); });
-  MeshResult result = mesh_by(plan, model, options, clock, context);
+  const auto mesh_by = [&](FallbackPlan& way) {
+    return chain_attempts(way, model.file,
+                          [&](CellCache& cache) { return attempt_mesh(way, options, cache, clock, context); });
+  };
+  MeshResult result = mesh_by(plan);
   if (result.failure && plan.is_cut()) {  // what cannot be meshed in halves may be as a whole
     FallbackPlan uncut(plan.model(), options, context, false);
-    MeshResult other = mesh_by(uncut, model, options, clock, context);
+    MeshResult other = mesh_by(uncut);
     if (!other.failure) result = std::move(other);
   }
   describe_domain(plan.model(), result.report);

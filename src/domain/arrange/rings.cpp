@@ -1,7 +1,6 @@
 // Second step of `arrange`: the rings that circles ask for are marked off by a circle round them, where there is room.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "base/constants.hpp"
@@ -16,7 +15,6 @@ namespace {
 constexpr double kFree = 1.0 / 3;        // of a ring's width: what stays free beyond the last one, for a row of quads
 constexpr double kTolerancesInRing = 8;  // a ring that is thinner would hardly stand apart from the circle
 constexpr double kLeastQuadsInRing = 8;  // of a ring whose number of edges is free
-constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// What a circle of the model asks for, and how much of it there is room for.
 struct Request {

@@ -27,8 +27,8 @@ int least_side(const Domain& domain, CellId c, const WholeCircle& circle, const 
 
 // As many as make the quads that are asked for.
 int rings(double quads, int side) {
-  const double by_area = (quads - side * side) / (4 * side);
-  return std::max(1, static_cast<int>(std::floor(std::max(by_area, kFewestRings * side) + 0.5)));
+  const double n = side, by_area = (quads - n * n) / (4 * n);
+  return std::max(1, static_cast<int>(std::floor(std::max(by_area, kFewestRings * n) + 0.5)));
 }
 
 }  // namespace

@@ -381,28 +381,34 @@ TEST(FillRing, CountsThatDifferAreRefused) {
   expect_refused(domain, {1, 1, 1, 1}, ring_plan());
 }
 
-// A hole on the y axis of a ring of 48 rays and 8 circles, halfway out; and one over the ray where rows begin.
-TEST(FillRing, HolesInARingHaveRingsToo) {
-  for (const Point at : {Point{0, std::sqrt(3.0)}, Point{std::sqrt(3.0), 0}}) {
-    const double r = 0.15;
+// The ring between circles of radius 1 and `outer` with a hole at `at`, and a plan for a patch of two by two.
+struct RingWithHole {
+  RingWithHole(double outer, Point at, double r) {
     const Point way = r * std::sqrt(0.5) * Point{1, 1}, side = left_normal(way);
-    const Domain domain = shapes::Builder({{3, 0}, {-3, 0}, {1, 0}, {-1, 0}, at + way, at - way},
-                                          {{0, 1, Point{0, 3}},
-                                           {1, 0, Point{0, -3}},
-                                           {2, 3, Point{0, 1}},
-                                           {3, 2, Point{0, -1}},
-                                           {4, 5, at + side},
-                                           {5, 4, at - side}},
-                                          0.2)
-                              .build({{0, 0}, at});
-    GridPlan plan = ring_plan();
+    domain = shapes::Builder({{outer, 0}, {-outer, 0}, {1, 0}, {-1, 0}, at + way, at - way},
+                             {{0, 1, Point{0, outer}},
+                              {1, 0, Point{0, -outer}},
+                              {2, 3, Point{0, 1}},
+                              {3, 2, Point{0, -1}},
+                              {4, 5, at + side},
+                              {5, 4, at - side}},
+                             0.2)
+                 .build({{0, 0}, at});
     const auto& walks = domain.cells[kCell].walks;
-    ASSERT_EQ(walks.size(), 3u);
-    const std::size_t hole = walks[1][0].curve.value >= 4 ? 1 : 2;
+    const std::size_t hole = walks.at(1)[0].curve.value >= 4 ? 1 : 2;
     plan.inner = 3 - hole;
     plan.holes = {{.walk = hole, .columns = 2, .rows = 2, .rings = 1, .at = at}};
-    WorkMesh mesh = shapes::nodes_on(domain, {24, 24, 24, 24, 4, 4});
-    ASSERT_TRUE(fill_grid(mesh, domain, kCell, plan));
+  }
+  Domain domain;
+  GridPlan plan = ring_plan();
+};
+
+// On the y axis of a ring of 48 rays and 8 circles, halfway out; and over the ray where rows begin.
+TEST(FillRing, HolesInARingHaveRingsToo) {
+  for (const Point at : {Point{0, std::sqrt(3.0)}, Point{std::sqrt(3.0), 0}}) {
+    const RingWithHole ring(3, at, 0.15);
+    WorkMesh mesh = shapes::nodes_on(ring.domain, {24, 24, 24, 24, 4, 4});
+    ASSERT_TRUE(fill_grid(mesh, ring.domain, kCell, ring.plan));
     expect_filled(mesh, 8 * 48 - 4 + 8);
     EXPECT_EQ(shapes::irregular_valences(mesh), std::vector<int>(4, 5));
   }
@@ -410,25 +416,9 @@ TEST(FillRing, HolesInARingHaveRingsToo) {
 
 // Without a row beside it a patch would touch the circle: one circle more makes room.
 TEST(FillRing, ThereIsARowBetweenAPatchAndTheCircles) {
-  const Point at{0, 1.5};
-  const double r = 0.1;
-  const Point way = r * std::sqrt(0.5) * Point{1, 1}, side = left_normal(way);
-  const Domain domain = shapes::Builder({{2, 0}, {-2, 0}, {1, 0}, {-1, 0}, at + way, at - way},
-                                        {{0, 1, Point{0, 2}},
-                                         {1, 0, Point{0, -2}},
-                                         {2, 3, Point{0, 1}},
-                                         {3, 2, Point{0, -1}},
-                                         {4, 5, at + side},
-                                         {5, 4, at - side}},
-                                        0.3)
-                            .build({{0, 0}, at});
-  GridPlan plan = ring_plan();
-  const auto& walks = domain.cells[kCell].walks;
-  const std::size_t hole = walks[1][0].curve.value >= 4 ? 1 : 2;
-  plan.inner = 3 - hole;
-  plan.holes = {{.walk = hole, .columns = 2, .rows = 2, .rings = 1, .at = at}};
-  WorkMesh mesh = shapes::nodes_on(domain, {12, 12, 12, 12, 4, 4});
-  ASSERT_TRUE(fill_grid(mesh, domain, kCell, plan));  // 24 rays: ln 2 / (2 pi / 24) = 2.6 circles, and one more
+  const RingWithHole ring(2, {0, 1.5}, 0.1);
+  WorkMesh mesh = shapes::nodes_on(ring.domain, {12, 12, 12, 12, 4, 4});
+  ASSERT_TRUE(fill_grid(mesh, ring.domain, kCell, ring.plan));  // ln 2 / (2 pi / 24) = 2.6 circles, and one more
   expect_filled(mesh, 4 * 24 - 4 + 8);
 }
 
