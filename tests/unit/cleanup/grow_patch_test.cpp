@@ -68,7 +68,7 @@ TEST(GrowPatch, GrowsOverNotches) {
   for (const NodeId v : f.mesh.topo().nodes()) {
     if (!f.mesh.is_free(v)) continue;
     bool more = f.grower.start(v);
-    n_over += more && f.grower.cavity().faces.size() > f.mesh.topo().edge_valence(v);
+    n_over += more && static_cast<int>(f.grower.cavity().faces.size()) > f.mesh.topo().edge_valence(v);
     for (; more; more = f.grower.grow())
       for (const Cavity::RimNode& r : f.grower.cavity().rim) EXPECT_LT(r.ideal.ideal - r.outside, 3);
   }
